@@ -29,7 +29,7 @@ class Chain final : public elsie::Behavior {
     response.activation = 0.0;  // unless it has somebody to follow
     distance = std::nan("");
     for (const auto& heard : now.heard<Rank>()) {
-      if (heard->rank != rank - 1) continue;
+      if (heard->rank != rank - 1 || std::isnan(heard.distance_m())) continue;
       distance = heard.distance_m();
       const double bearing = heard.bearing_rad();
       const double ahead = std::clamp(distance - keep, 0.0, 1.0) * std::max(0.0, std::cos(bearing));
@@ -41,7 +41,7 @@ class Chain final : public elsie::Behavior {
 };
 
 ELSIE_BEHAVIOR(Chain, "chain", "Follows the robot of the rank in front, at a distance",
-               elsie::commands<elsie::SayCommand>(),
+               elsie::commands<elsie::SayCommand>(), elsie::hears<Rank>(),
                elsie::parameter("rank", &Chain::rank,
                                 {.min = 0, .max = 1000, .meaning = "its own"}),
                elsie::parameter("keep", &Chain::keep,

@@ -62,5 +62,6 @@ class GoWhereTold final : public elsie::Behavior {
 };
 
 ELSIE_BEHAVIOR(GoWhereTold, "go_where_told", "Goes to the place that it was told last",
+               elsie::hears<Place>(),
                elsie::parameter("speed", &GoWhereTold::speed,
                                 {.unit = "m/s", .min = 0, .max = 10, .meaning = "at most"}));

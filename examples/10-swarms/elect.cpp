@@ -52,7 +52,7 @@ class Elect final : public elsie::Behavior {
 
 ELSIE_BEHAVIOR(Elect, "elect", "Elects a leader with all robots that it can reach",
                elsie::only_acts(), elsie::commands<elsie::SayCommand>(),
-               elsie::commands<elsie::LedCommand>(),
+               elsie::commands<elsie::LedCommand>(), elsie::hears<Candidate>(),
                elsie::raises("leads", "the election is over, and this robot is the leader"),
                elsie::raises("follows", "the election is over, and another robot is the leader"),
                elsie::parameter("settled", &Elect::settled,

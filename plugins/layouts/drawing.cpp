@@ -85,13 +85,10 @@ void Drawing::add_wall(const std::string& id, const Wall& wall, double thickness
 }
 
 const char* list_of(const std::string& name) {
-  return name == "robot"                                       ? "robots"
-         : name == "resource"                                  ? "resources"
-         : name == "charger"                                   ? "chargers"
-         : name == "lamp"                                      ? "lamps"
-         : world::vocabulary().child("patches")->child(name)   ? "patches"
-         : world::vocabulary().child("obstacles")->child(name) ? "obstacles"
-                                                               : nullptr;
+  for (const world::ElementSpec& group : world::vocabulary().children) {
+    if (group.group && group.name != "layouts" && group.child(name)) return group.name.c_str();
+  }
+  return nullptr;
 }
 
 bool has_heading(const std::string& name) {

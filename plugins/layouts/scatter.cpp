@@ -283,7 +283,7 @@ void draw_scatter(Drawing& drawing, const Scatter& scatter, PathDraws& draws, Oc
         scatter.location, scatter.id,
         (scatter.things.empty() ? "does not say what it scatters" : "scatters several things") +
             std::string("; expected one of <static_box> or another obstacle, <resource>, "
-                        "<charger>, <lamp>, <disc_patch> or another patch, and <robot>"));
+                        "<charger>, <nest>, <lamp>, <disc_patch> or another patch, and <robot>"));
     return;
   }
   const Element& thing = *scatter.things.front();

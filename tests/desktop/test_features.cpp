@@ -205,6 +205,7 @@ TEST_CASE("Boxes of three kinds, resources, chargers, goals, measures and teams 
                                                        {"add_cylinder", "<static_cylinder"},
                                                        {"add_prism", "<static_prism"},
                                                        {"add_charger", "<charger "},
+                                                       {"add_nest", "<nest "},
                                                        {"add_lamp", "<lamp "},
                                                        {"add_patch", "<rectangle_patch "},
                                                        {"add_measure", "<measures>"},
@@ -218,7 +219,7 @@ TEST_CASE("Boxes of three kinds, resources, chargers, goals, measures and teams 
     CHECK(window.bench().text().count(text) == before + 1);
   }
   for (const char* path : {"obstacle[moving_box_1]", "charger[charger_1]", "resource[resource_1]",
-                           "lamp[lamp_1]", "patch[rectangle_patch_1]"}) {
+                           "nest[nest_1]", "lamp[lamp_1]", "patch[rectangle_patch_1]"}) {
     INFO(path);
     CHECK(tree->item(path));
   }
@@ -226,6 +227,19 @@ TEST_CASE("Boxes of three kinds, resources, chargers, goals, measures and teams 
   dialog->findChild<Form*>("form_static_box")->set_value("length", "0.75");
   window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
   CHECK(window.bench().text().contains("length=\"0.75\""));
+}
+
+TEST_CASE("A rule is chosen among those of the plugins, and stands in the tree") {
+  Room window;
+  QDialog* dialog = window.dialog_of("add_rule");
+  auto* kinds = dialog->findChild<QListWidget*>("kinds");
+  const auto respawn = kinds->findItems("respawn", Qt::MatchExactly);
+  REQUIRE(respawn.size() == 1);
+  kinds->setCurrentItem(respawn.front());
+  window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
+  CHECK(window.bench().text().contains("<rules>"));
+  CHECK(window.bench().text().contains("<respawn"));
+  CHECK(window.get<WorldTree>("world_tree")->item("rule[respawn]"));
 }
 
 TEST_CASE("A group of goals begins with one, and has the goals in it in the tree") {

@@ -42,6 +42,32 @@ TEST_CASE("The floor has its colour, its image and its patches, below everything
   CHECK(colour(2.3, 0.65) == Colour{9, 9, 200});
 }
 
+TEST_CASE("A nest is a disc of its colour on the floor, below the patches") {
+  Stage scene;
+  const auto colour = [&](double x, double y) {
+    const Pixel found = scene.image().at(scene.place(x, y));
+    return Colour{static_cast<std::uint8_t>(found.red), static_cast<std::uint8_t>(found.green),
+                  static_cast<std::uint8_t>(found.blue)};
+  };
+  const Colour bare = colour(2.3, 0.7);
+  world::Nest& nest = scene.world.nests.emplace_back();
+  nest.x = 2.3;
+  nest.y = 0.7;
+  nest.radius = 0.6;
+  nest.colour = {10, 120, 200};
+  CHECK(colour(2.3, 0.7) == Colour{10, 120, 200});
+  CHECK(colour(2.8, 0.7) == Colour{10, 120, 200});
+  CHECK(colour(3.3, 1.3) == bare);
+  scene.world.patches.push_back({.id = "spot",
+                                 .shape = world::PatchShape::disc,
+                                 .x = 2.3,
+                                 .y = 0.7,
+                                 .radius = 0.2,
+                                 .points = {},
+                                 .colour = {9, 9, 20}});
+  CHECK(colour(2.3, 0.7) == Colour{9, 9, 20});
+}
+
 TEST_CASE("A lamp is a small sun with its name, and the legend explains it") {
   Stage scene;
   const Bitmap without = scene.image();

@@ -32,6 +32,19 @@ TEST_CASE("Faults of a source file are reported in sentences") {
   CHECK_THAT(run.out, Contains("behavior 'counts': two objects answer the same input differently"));
 }
 
+TEST_CASE("A plugin that needs elements inside its own is given them") {
+  Workplace here;
+  CHECK(here.elsie("test-plugin timetable --variants 0").exit_code == 1);
+  const auto run = here.elsie(
+      "test-plugin timetable referee --variants 2 "
+      "--element '<edit time=\"0.5\" path=\"robot[r1]/@x\" value=\"0\"/>' "
+      "--element '<edit time=\"1\" path=\"robot[r1]/@x\" value=\"1\"/>' "
+      "--element '<after time=\"0.5\"/>'");
+  CHECK(run.exit_code == 0);
+  CHECK_THAT(run.out, Equals("rule 'timetable': no faults found\n"
+                             "rule 'referee': no faults found\n"));
+}
+
 TEST_CASE("Wrong arguments are refused in a sentence") {
   Workplace here;
   const auto refused = [&](const std::string& arguments, const std::string& sentence) {
@@ -47,6 +60,10 @@ TEST_CASE("Wrong arguments are refused in a sentence") {
   refused("wander --set speed=fast", "--set speed=fast: expected a number");
   refused("wander --set speed=nan", "--set speed=nan: expected a number");
   refused("wander --set spede=1", "--set spede: none of these plugins has a parameter");
+  refused("wander --element '<edit/>'", "none of these plugins has an element <edit>");
+  refused("timetable --element '<edit when=\"1\"/>'", "<edit> has no such attribute");
+  refused("timetable --element '<edit time=\"soon\"/>'", "expected a number");
+  refused("timetable --element '<edit'", "--element");
   refused("wander --variants -1", "--variants");
   refused("", "PLUGIN");
 }

@@ -424,6 +424,26 @@ TEST_CASE("The scene has the floor's colour, its image and patches as triangles,
   CHECK(entities[2].at("texts")[0].at("text") == "sun");
 }
 
+TEST_CASE("The scene has nests as discs on the floor, also without patches") {
+  world::World world = one_robot(behavior("wander"));
+  world::Nest& nest = world.nests.emplace_back();
+  nest.id = "home";
+  nest.x = 1.0;
+  nest.colour = {0, 255, 0};
+  world.limits.time = 0.1;
+  const RecordedFile file(world, shipped());
+  auto all = recorded(file.path);
+  const auto entities = all["/scene"].at(0).content.at("entities");
+  REQUIRE(entities.size() == 3);  // arena, floor, robot
+  CHECK(entities[1].at("id") == "floor");
+  const auto& drawn = entities[1].at("triangles").at(0);
+  REQUIRE(drawn.at("points").size() == 24);
+  double sum = 0.0;
+  for (const auto& point : drawn.at("points")) sum += point.at("x").get<double>();
+  CHECK(sum / 24.0 == Approx(1.0));
+  CHECK(drawn.at("colors")[0].at("g") == 1.0);
+}
+
 TEST_CASE("Fields are recorded once a second and at the end, and read back for the picture") {
   world::World world = one_robot(behavior("wander"));
   world.arena.length = 4.0, world.arena.width = 2.0;

@@ -99,6 +99,7 @@ TEST_CASE("A robot without actuators has messages as before") {
   const ScriptedHost silent([](const Perception&) { return Response(); });
   const RecordedFile file(world, silent.host);
   auto all = recorded(file.path);
+  REQUIRE(all["/robots/r1/readings"].size() > 1);
   for (const auto& each : all["/robots/r1/readings"]) {
     CHECK_FALSE(each.content.contains("actuators"));
   }

@@ -67,10 +67,11 @@ TEST_CASE("A snapshot has the outline of a robot where it believes to be") {
   }
 }
 
-TEST_CASE("A scene has the floor, patches in their own frames, and lamps") {
+TEST_CASE("A scene has the floor, nests, patches in their own frames, and lamps") {
   test::Session session;
   const test::Json scene = session.open(R"(<world format="1">
   <lamps><lamp id="sun" x="1" z="0.7"/></lamps>
+  <nests><nest id="home" x="-2" y="1" radius="0.4" colour="#aabbcc"/></nests>
   <floor colour="#102030"/>
   <patches>
     <disc_patch id="spot" x="1" y="2" radius="0.5" colour="#00ff00"/>
@@ -79,17 +80,21 @@ TEST_CASE("A scene has the floor, patches in their own frames, and lamps") {
 </world>)")["scene"];
   CHECK(scene["floor"] == test::Json({{"colour", {0x10, 0x20, 0x30}}}));
   const test::Json& shapes = scene["shapes"];
-  CHECK(shapes[0]["path"] == "patch[spot]");
-  CHECK(shapes[0]["colour"] == test::Json({0, 255, 0}));
-  CHECK(shapes[0]["frame"][0] == test::Json({1.0, 2.0, 0.0}));
-  CHECK(shapes[0]["size"][0].get<double>() == Approx(1.0));
-  CHECK(shapes[0]["size"][2] == 0.0);
-  for (int piece = 1; piece <= 3; ++piece) {
+  CHECK(shapes[0]["path"] == "nest[home]");
+  CHECK(shapes[0]["colour"] == test::Json({0xaa, 0xbb, 0xcc}));
+  CHECK(shapes[0]["frame"][0] == test::Json({-2.0, 1.0, 0.0}));
+  CHECK(shapes[0]["size"][0].get<double>() == Approx(0.8));
+  CHECK(shapes[1]["path"] == "patch[spot]");
+  CHECK(shapes[1]["colour"] == test::Json({0, 255, 0}));
+  CHECK(shapes[1]["frame"][0] == test::Json({1.0, 2.0, 0.0}));
+  CHECK(shapes[1]["size"][0].get<double>() == Approx(1.0));
+  CHECK(shapes[1]["size"][2] == 0.0);
+  for (int piece = 2; piece <= 4; ++piece) {
     CHECK(shapes[piece]["path"] == "patch[track]");
     CHECK(shapes[piece]["frame"][0] == test::Json({0.0, 1.0, 0.0}));
     CHECK(shapes[piece]["frame"][1][1].get<double>() == Approx(1.0));
   }
-  CHECK(shapes[4]["path"] == "lamp[sun]");
-  CHECK(shapes[4]["shape"] == "sphere");
-  CHECK(shapes[4]["frame"][0] == test::Json({1.0, 0.0, 0.7}));
+  CHECK(shapes[5]["path"] == "lamp[sun]");
+  CHECK(shapes[5]["shape"] == "sphere");
+  CHECK(shapes[5]["frame"][0] == test::Json({1.0, 0.0, 0.7}));
 }

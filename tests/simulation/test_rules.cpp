@@ -340,8 +340,17 @@ TEST_CASE("A rule that makes the world again and again works, and a note says wh
     return all;
   };
   CHECK_THAT(notes(run_of(law(15), text)),
-             Catch::StartsWith("its edits made parts of the world again 15 times"));
+             Catch::StartsWith("its edits made objects or bodies again 15 times"));
   CHECK(notes(run_of(law(5), text)).empty());
+  // Nests and patches are no bodies.
+  text.replace(
+      text.find("<robots>"), 8,
+      "<nests><nest id=\"home\"/></nests><patches><disc_patch id=\"spot\"/></patches><robots>");
+  const auto moving = ruled_by([](const Observation& now, WorldChanges& world) {
+    world.set("nest[home]/@x", 0.5 * now.time_s);
+    world.set("patch[spot]/@radius", 0.1 + 0.5 * now.time_s);
+  });
+  CHECK(notes(run_of(moving, text)).empty());
 }
 
 TEST_CASE("Rules and measures have different ids, and rules of an unknown name are refused") {

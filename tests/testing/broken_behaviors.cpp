@@ -242,6 +242,33 @@ class ActsUndeclared final : public elsie::Behavior {
 };
 ELSIE_BEHAVIOR(ActsUndeclared, "acts_undeclared", "Commands what it does not declare");
 
+struct Tune {
+  static constexpr const char* kind = "tune";
+  double pitch = 1.0;
+  template <class Visitor>
+  void visit(Visitor&& visitor) const {
+    visitor("pitch", pitch);
+  }
+};
+
+/// Its answer is no number after it has heard a message.
+class Enchanted final : public elsie::Behavior {
+ public:
+  Response respond(const Perception& now) override {
+    for (const auto& heard : now.heard<Tune>()) return Motion{std::sqrt(-1.0 - heard->pitch), 0, 0};
+    return {};
+  }
+};
+ELSIE_BEHAVIOR(Enchanted, "enchanted", "Loses its head over a tune", elsie::hears<Tune>());
+
+class Eavesdrops final : public elsie::Behavior {
+ public:
+  Response respond(const Perception& now) override {
+    return Motion{now.heard<Tune>().empty() ? 0.1 : 0.2, 0.0, 0.0};
+  }
+};
+ELSIE_BEHAVIOR(Eavesdrops, "eavesdrops", "Reads messages that it does not declare");
+
 class Overactive final : public elsie::Behavior {
  public:
   Response respond(const Perception&) override {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "elsie/api/actuator.h"
 #include "elsie/api/behavior.h"
 #include "elsie/api/coordinator.h"
 #include "elsie/api/drive.h"
@@ -29,6 +30,20 @@ class TooMuch final : public elsie::Coordinator {
   }
 };
 ELSIE_COORDINATOR(TooMuch, "too_much", "Gives away more than there is");
+
+class Overreaches final : public elsie::Coordinator {
+ public:
+  Motion coordinate(std::span<elsie::Member> members, const Perception&) override {
+    for (elsie::Member& member : members) {
+      member.respond();
+    }
+    return {};
+  }
+  std::size_t resolve(std::string_view, std::span<const elsie::ActuatorWish> wishes) override {
+    return wishes.size() + 1;
+  }
+};
+ELSIE_COORDINATOR(Overreaches, "overreaches", "Gives an actuator what nobody wished");
 
 class Divides final : public elsie::Coordinator {
  public:
@@ -288,5 +303,41 @@ class Gossip final : public elsie::Behavior {
   }
 };
 ELSIE_BEHAVIOR(Gossip, "gossip", "Talks to others", elsie::one_thread());
+
+struct HookCommand {
+  static constexpr const char* kind = "hook";
+  bool out = false;
+  template <class Visitor>
+  void visit(Visitor&& visitor) const {
+    visitor("out", out);
+  }
+};
+class Boundless final : public elsie::ActuatorOf<HookCommand> {
+ public:
+  void act(const HookCommand& command, const elsie::ActuatorContext& now) override {
+    if (command.out) now.robot->hold(std::numeric_limits<double>::infinity());
+  }
+};
+ELSIE_ACTUATOR(Boundless, "boundless", "Holds what is anywhere");
+
+class Loud final : public elsie::ActuatorOf<elsie::SayCommand> {
+ public:
+  void act(const elsie::SayCommand& said, const elsie::ActuatorContext& now) override {
+    if (said.message) now.robot->transmit(said.message, said.to, {.range_m = std::nan("")});
+  }
+};
+ELSIE_ACTUATOR(Loud, "loud", "Sends its messages nowhere", elsie::hears_messages());
+
+/// Its range shrinks with each message, also over reset().
+class Fading final : public elsie::ActuatorOf<elsie::SayCommand> {
+ public:
+  void act(const elsie::SayCommand& said, const elsie::ActuatorContext& now) override {
+    if (said.message) now.robot->transmit(said.message, said.to, {.range_m = range_m_ *= 0.9});
+  }
+
+ private:
+  double range_m_ = 1.0;
+};
+ELSIE_ACTUATOR(Fading, "fading", "Forgets nothing", elsie::hears_messages());
 
 }  // namespace

@@ -44,5 +44,7 @@ TEST_CASE("A command that is none of its own is refused with a sentence") {
 }
 
 TEST_CASE("The checker tries an actuator with random commands") {
-  CHECK_THAT(check_plugin(PluginKind::actuator, "led"), finds_nothing());
+  for (const char* name : {"gripper", "led", "pen", "radio", "range_and_bearing"}) {
+    CHECK_THAT(check_plugin(PluginKind::actuator, name), finds_nothing());
+  }
 }

@@ -37,6 +37,7 @@ constexpr PluginKind kCoordinator = PluginKind::coordinator;
 constexpr PluginKind kSensor = PluginKind::sensor;
 constexpr PluginKind kMeasure = PluginKind::measure;
 constexpr PluginKind kDrive = PluginKind::drive;
+constexpr PluginKind kActuator = PluginKind::actuator;
 
 const Fault kFaults[] = {
     {kDrive, "deep", "The part 'left_wheel' of a robot's body is below the floor."},
@@ -72,6 +73,10 @@ const Fault kFaults[] = {
     {kBehavior, "acts_undeclared",
      "it gives a command of the kind 'led', which its declaration does not name; add "
      "elsie::commands<...>() to it"},
+    {kBehavior, "enchanted", "nan, which is no finite number"},
+    {kBehavior, "eavesdrops",
+     "it reads messages of the kind 'tune', which its declaration does not name; add "
+     "elsie::hears<...>() to it"},
     {kBehavior, "overactive", "its activation is 1.5, which is not in [0, 1]"},
     {kBehavior, "bad_rating", "its rating of a candidate command is -0.1"},
     {kBehavior, "bad_sets", "not in ascending order: 0 comes after 1"},
@@ -90,12 +95,16 @@ const Fault kFaults[] = {
     {kBehavior, "other_unit", "has the unit 'rad', but its name says 'deg'"},
     {kBehavior, "wordless_event", "event 'something' has no meaning"},
     {kCoordinator, "too_much", "the shares in its trace add up to"},
+    {kCoordinator, "overreaches", "resolve() chooses wish 3 of 2"},
     {kCoordinator, "divides", "which is no finite number"},
     {kCoordinator, "remembers", "reset() must forget"},
     {kBehavior, "scrawling", "it throws: it draws a place that is not finite"},
     {kSensor, "infinite", "it throws: the number 'value' of its reading is inf"},
     {kSensor, "varying", "lists 1 names, and 2 before"},
     {kSensor, "radio", "it answers differently while the behavior 'gossip' of its library works"},
+    {kActuator, "boundless", "its reach is inf, which is no finite number"},
+    {kActuator, "loud", "the range of its message is nan, which is no finite number"},
+    {kActuator, "fading", "reset() must forget"},
     {kSensor, "shared_noise", "two objects answer the same input differently"},
 };
 
@@ -117,7 +126,7 @@ TEST_CASE("Each plugin that is broken on purpose is in the list") {
   for (const Fault& fault : kFaults) {
     listed.insert(fault.name);
   }
-  for (const PluginKind kind : {kBehavior, kCoordinator, kSensor, kDrive}) {
+  for (const PluginKind kind : {kBehavior, kCoordinator, kSensor, kDrive, kActuator}) {
     for (const Declaration* declaration : broken().host().all(kind)) {
       if (broken().host().file_of(kind, declaration->name).stem() == "broken_plugins") {
         CHECK(listed.count(declaration->name) == 1);
@@ -163,7 +172,7 @@ TEST_CASE("A plugin that is not there is no finding") {
 }
 
 TEST_CASE("All shipped plugins pass the checker") {
-  for (const PluginKind kind : {kBehavior, kCoordinator, kSensor, kDrive}) {
+  for (const PluginKind kind : {kBehavior, kCoordinator, kSensor, kDrive, kActuator}) {
     for (const Declaration* declaration : Plugins::found().host().all(kind)) {
       const std::string& name = declaration->name;
       CAPTURE(name);

@@ -1,7 +1,9 @@
+#include "elsie/commands/led.h"
 #include "elsie/testing/catch.h"
 
 using namespace elsie::testing;
 using elsie::FuzzySet;
+using elsie::LedCommand;
 using elsie::Motion;
 using elsie::Perception;
 using elsie::RangeReading;
@@ -50,4 +52,16 @@ TEST_CASE("A team that a coordinator cannot work with is refused at its first de
   team.member("a", 1, Motion{});
   Coordinator layers("arbiter_subsumption", team, {}, {{"suppress", {{"by", "b"}, {"of", "a"}}}});
   CHECK_THROWS_WITH(layers.decide(), Catch::Contains("by=\"b\"> names no behaviour"));
+}
+
+TEST_CASE("A coordinator says whose command an actuator gets") {
+  Team team;
+  team.member("avoid", 1, Motion{}).member("seek", 2, Motion{});
+  Coordinator arbiter("arbiter_suppression", team);
+  arbiter.decide();
+  const Wish red("avoid", LedCommand{{255, 0, 0}, 1.0}), blue("seek", LedCommand{{0, 0, 255}, 1.0});
+  CHECK(arbiter.resolve("lamp", {red, blue}) == 1);
+  CHECK(arbiter.resolve("lamp", {blue, red}) == 0);
+  CHECK_THROWS_WITH(arbiter.resolve("lamp", {red, {"sek", LedCommand{}}}),
+                    Catch::Contains("did you mean 'seek'?"));
 }

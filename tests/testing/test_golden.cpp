@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 
@@ -126,6 +127,47 @@ TEST_CASE("A coordinator over a scripted way is as it was") {
   Sequence way(0.1);
   way.change(1.0, [](double t) { return Situation().beam(0, 1.0 - t); });
   CHECK_THAT(record(fusion, team, way), equals_golden("golden/fusion_fuzzy.golden"));
+}
+
+TEST_CASE("The trace of a behaviour has what it commands actuators") {
+  Behavior say("say");
+  const Trace trace = record(say, Sequence(0.1).hold(0.2, Situation().at(1, 2, 0)));
+  REQUIRE(trace.rows.size() == 2);
+  CHECK(trace.rows[0].events == "act:say:place");
+  CHECK(read_trace(write_trace(trace), "x").rows[1].events == trace.rows[1].events);
+}
+
+TEST_CASE("The trace of a world has the commands that its actuators carry out") {
+  World world = World::from_text(R"(
+    <world format="1" name="actuators">
+      <arena length="3" width="3"/>
+      <resources><resource id="food" x="0.6" y="0" collect="nest" mass="0.05"/></resources>
+      <nests><nest x="-1" y="0" radius="0.3"/></nests>
+      <robots>
+        <robot id="r1">
+          <sensors><omnidirectional_camera id="eye"/></sensors>
+          <actuators><gripper id="hand" reach="0.1"/><radio id="voice"/></actuators>
+          <behaviors><forage/><say/></behaviors>
+          <coordinator><arbiter_suppression/></coordinator>
+        </robot>
+      </robots>
+    </world>)");
+  const Trace trace = record(world, 6.0, 0.5);
+  const auto column = [&](const std::string& name) {
+    const auto found = std::find(trace.columns.begin(), trace.columns.end(), name);
+    REQUIRE(found != trace.columns.end());
+    return static_cast<std::size_t>(found - trace.columns.begin());
+  };
+  const std::size_t closed = column("r1.hand.closed"), bytes = column("r1.voice.bytes");
+  CHECK(trace.rows.front().values[closed] == 0.0);
+  CHECK(trace.rows.back().values[closed] == 1.0);
+  CHECK(trace.rows.back().values[bytes] == 16.0);
+  const File file(write_trace(trace));
+  CHECK(compare_with_golden(trace, file.path));
+  Trace other = trace;
+  other.rows.back().values[closed] = 0.0;
+  CHECK_THAT(compare_with_golden(other, file.path).sentence,
+             Catch::Contains("r1.hand.closed is 0, expected 1"));
 }
 
 TEST_CASE("A small world is as it was, and its events with it") {

@@ -14,6 +14,11 @@ struct Light {
   double lux = 0.0;
 };
 
+struct Word {
+  static constexpr const char* kind = "word";
+  int number = 0;
+};
+
 }  // namespace
 
 TEST_CASE("A situation is perceived as it was put together") {
@@ -66,6 +71,33 @@ TEST_CASE("Mates are seen from the robot's final position") {
   CHECK(seen.self().charging);
   REQUIRE(seen.events().size() == 1);
   CHECK(seen.events()[0].name == "collision");
+}
+
+TEST_CASE("A situation has messages with all that a device tells") {
+  Situation now;
+  now.hear(Word{1}, "r2", 2.0, 90.0)
+      .hear(Word{2}, {.device = "radio",
+                      .from = "r3",
+                      .age_s = 0.2,
+                      .distance_m = 1.0,
+                      .bearing_rad = 0.1,
+                      .elevation_rad = -0.3});
+  const Situation copy = now;
+  const Perception seen = copy.perception();
+  CHECK(copy.listened().empty());
+  auto heard = seen.heard<Word>().begin();
+  CHECK((*heard)->number == 1);
+  CHECK((*heard).from() == "r2");
+  CHECK((*heard).bearing_rad() == Approx(radians(90)));
+  CHECK((*heard).elevation_rad() == 0.0);
+  ++heard;
+  CHECK((*heard)->number == 2);
+  CHECK((*heard).device() == "radio");
+  CHECK((*heard).from() == "r3");
+  CHECK((*heard).age_s() == 0.2);
+  CHECK((*heard).elevation_rad() == -0.3);
+  REQUIRE(copy.listened().size() == 1);
+  CHECK(std::string(copy.listened()[0].name) == "word");
 }
 
 TEST_CASE("A moving robot perceives its motion") {

@@ -19,6 +19,7 @@
 #include "elsie/plugin/parameters.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/testing/checker.h"
+#include "elsie/world/markup.h"
 
 #include "arguments.h"
 #include "command.h"
@@ -41,6 +42,7 @@ struct TestPluginOptions {
   PluginOptions plugins;
   std::vector<std::string> names;
   std::vector<std::string> settings;
+  std::vector<std::string> elements;
   std::vector<std::string> members;
   std::uint64_t seed = 1;
   int variants = CheckOptions().variants;
@@ -68,11 +70,10 @@ bool is_file(const std::string& name) {
   return name.find('.') != std::string::npos || name.find('/') != std::string::npos;
 }
 
-elsie::ParameterValue value_of(const ParameterDeclaration& parameter, const std::string& text) {
+elsie::ParameterValue value_of(const ParameterDeclaration& parameter, const std::string& text,
+                               const std::string& where) {
   const plugin::Parsed parsed = plugin::parse_value(parameter, text);
-  if (!parsed.value) {
-    throw BadInput("--set " + parameter.name + "=" + text + ": expected " + parsed.expected);
-  }
+  if (!parsed.value) throw BadInput(where + ": expected " + parsed.expected);
   return *parsed.value;
 }
 
@@ -89,12 +90,34 @@ testing::Settings settings_for(const Declaration& declaration, const TestPluginO
     used.emplace(name, false);
     for (const ParameterDeclaration& parameter : declaration.parameters) {
       if (parameter.name == name) {
-        settings[name] = value_of(parameter, setting.substr(equals + 1));
+        settings[name] = value_of(parameter, setting.substr(equals + 1), "--set " + setting);
         used[name] = true;
       }
     }
   }
   return settings;
+}
+
+/// The elements that may stand in that of this plugin; `used` counts them.
+testing::Elements elements_for(const Declaration& declaration, const TestPluginOptions& options,
+                               std::map<std::string, bool>& used) {
+  testing::Elements elements;
+  for (const std::string& text : options.elements) {
+    const world::Element element = world::parse_markup(text, "--element");
+    used.emplace(element.name, false);
+    const auto* const declared = plugin::find_declared(declaration.elements, element.name);
+    if (!declared) continue;
+    used[element.name] = true;
+    elsie::ElementValue& made = elements.emplace_back();
+    made.element = element.name;
+    for (const world::Attribute& attribute : element.attributes) {
+      const auto* const parameter = plugin::find_declared(declared->parameters, attribute.name);
+      const std::string where = "--element " + world::in_words(attribute, element);
+      if (!parameter) throw BadInput(where + ": <" + element.name + "> has no such attribute");
+      made.parameters[attribute.name] = value_of(*parameter, attribute.value, where);
+    }
+  }
+  return elements;
 }
 
 /// The plugins that an argument names: those of a library, or those with a name.
@@ -135,11 +158,12 @@ int test_plugins(TestPluginOptions options) {
     const Plugins plugins(load_plugins(options.plugins, std::nullopt));
     limit_memory(options.memory_limit_mb);
     std::vector<std::pair<const Declaration*, CheckOptions>> jobs;
-    std::map<std::string, bool> used;
+    std::map<std::string, bool> used, used_elements;
     for (const std::string& name : options.names) {
       for (const Declaration* declaration : chosen(plugins, name)) {
         CheckOptions how;
         how.settings = settings_for(*declaration, options, used);
+        how.elements = elements_for(*declaration, options, used_elements);
         how.members = options.members;
         how.seed = options.seed;
         how.variants = options.variants;
@@ -150,6 +174,11 @@ int test_plugins(TestPluginOptions options) {
     for (const auto& [name, was_used] : used) {
       if (!was_used) {
         throw BadInput("--set " + name + ": none of these plugins has a parameter of that name");
+      }
+    }
+    for (const auto& [name, was_used] : used_elements) {
+      if (!was_used) {
+        throw BadInput("--element: none of these plugins has an element <" + name + "> in its own");
       }
     }
     for (const auto& [declaration, how] : jobs) {
@@ -180,6 +209,7 @@ void add_test_plugin_command(CLI::App& program, Job& job) {
       "\nExamples:\n  elsie test-plugin wander\n  elsie test-plugin build/shy.so shy.cpp\n"
       "  elsie test-plugin fusion_context_blending --set model=my.fcl --members "
       "avoid_obstacle,wander\n"
+      "  elsie test-plugin referee --element '<after time=\"10\"/>'\n"
       "\nExit codes: 0 no faults found; 1 faults found; 2 bad input or usage; 3 a plugin crashed, "
       "and is named.");
   auto options = std::make_shared<TestPluginOptions>();
@@ -188,6 +218,10 @@ void add_test_plugin_command(CLI::App& program, Job& job) {
                    "Names of plugins, library files, or sources of one file")
       ->required();
   command->add_option("--set", options->settings, "Fix a parameter, NAME=VALUE; may be repeated")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--element", options->elements,
+                   "An element inside the plugin's own, as in a world; may be repeated")
       ->allow_extra_args(false);
   command
       ->add_option("--members", options->members,

@@ -96,6 +96,7 @@ class Simulation::Impl {
   std::shared_ptr<Measuring> measuring_;
   Tally departed_;                   // sums of robots that an edit removed
   std::uint64_t renewals_ = 0;       // how often objects were replaced or recreated
+  std::uint64_t rebuilds_ = 0;       // how often an edit made objects or bodies again
   std::uint64_t new_schedules_ = 0;  // how often World::edits changed
 
  private:

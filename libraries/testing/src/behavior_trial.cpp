@@ -39,7 +39,7 @@ std::optional<std::string> difference(const Answer& one, const Answer& other) {
            std::to_string(one.numbers.size());
   }
   if (one.events != other.events) {
-    return "its events, or the reasons in its trace, differ";
+    return "its events, commands or messages, or the reasons in its trace, differ";
   }
   return std::nullopt;
 }
@@ -83,6 +83,16 @@ void require_sets(const CommandSets& sets) {
   }
 }
 
+void require_declared(const Declaration& declaration, const std::vector<ReadingKind>& listened) {
+  for (const ReadingKind& kind : listened) {
+    if (std::none_of(declaration.hears.begin(), declaration.hears.end(),
+                     [&](const HeardDeclaration& heard) { return heard.kind == kind.name; })) {
+      throw Wrong("it reads messages of the kind '" + std::string(kind.name) +
+                  "', which its declaration does not name; add elsie::hears<...>() to it");
+    }
+  }
+}
+
 std::span<const Motion> candidates() {
   static constexpr std::array<Motion, 6> kCandidates{Motion{},        {0.2, 0, 0}, {0, 0, 2.2},
                                                      {0.17, 0, -5.1}, {0, 0.1, 0}, {0, 0, 444}};
@@ -119,6 +129,7 @@ class BehaviorTrial final : public Trial {
     now.time(static_cast<double>(step) * now.period_s());
     behavior_.inside().answer = input_.wishes[at].front();
     const Response response = behavior_.respond(now);
+    require_declared(declaration_, now.listened());
     answer.clear();
     tell(response, answer);
     std::vector<double> desirability(candidates().size());

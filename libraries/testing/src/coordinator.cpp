@@ -46,6 +46,14 @@ std::vector<Motion> Coordinator::decide(const Sequence& sequence) {
   return commands;
 }
 
+std::size_t Coordinator::resolve(const std::string& actuator, const std::vector<Wish>& wishes) {
+  std::vector<ActuatorWish> rivals;
+  for (const Wish& wish : wishes) {
+    rivals.push_back({&team_.member(wish.member), &wish.act});
+  }
+  return object_->resolve(actuator, rivals);
+}
+
 std::vector<double> Coordinator::rate(const std::vector<Motion>& candidates) {
   std::vector<double> desirability(candidates.size());
   object_->rate(team_.members(), now.perception().with_random(random_), given_, candidates,

@@ -45,6 +45,7 @@ class CoordinatorTrial final : public Trial {
       team_.answer(i) = input_.wishes[at][i];
     }
     const Motion command = coordinator_->decide(now);
+    require_declared(coordinator_->declaration(), coordinator_->now.listened());
     answer.clear();
     require_finite(command);
     answer.add(command);
@@ -56,6 +57,7 @@ class CoordinatorTrial final : public Trial {
     if (shares > 1.0 + 1e-6) {
       throw Wrong("the shares in its trace add up to " + number_text(shares) + ", more than 1");
     }
+    resolve(step, answer);
     const std::vector<double> desirability =
         coordinator_->rate({candidates().begin(), candidates().end()});
     require_rating(desirability);
@@ -68,6 +70,28 @@ class CoordinatorTrial final : public Trial {
   }
 
  private:
+  struct Flag {
+    static constexpr const char* kind = "flag";
+    bool raised = true;
+  };
+
+  /// Lets some of those behaviours command an actuator that may.
+  void resolve(std::size_t step, Answer& answer) {
+    Random random(step + 1);
+    std::vector<Wish> wishes;
+    for (const Member& member : team_.members()) {
+      if (!member.trace.asked || member.trace.inhibited_by >= 0 || random.chance(0.2)) continue;
+      wishes.emplace_back(std::string(member.name()), Flag{});
+    }
+    if (wishes.size() < 2) return;
+    const std::size_t chosen = coordinator_->resolve("actuator", wishes);
+    if (chosen > wishes.size()) {
+      throw Wrong("resolve() chooses wish " + std::to_string(chosen) + " of " +
+                  std::to_string(wishes.size()));
+    }
+    answer.add("the wish that resolve() chooses", static_cast<double>(chosen));
+  }
+
   void tell(const TraceRow& row, Answer& answer) const {
     require_finite("a weight in its trace", row.weight);
     if (!(row.share >= 0.0 && row.share <= 1.0 + 1e-9)) {

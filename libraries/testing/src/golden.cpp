@@ -21,12 +21,36 @@ namespace {
 constexpr std::string_view kTitle = "# A golden trace of Elsie's test library.";
 constexpr std::string_view kNoEvents = "-";
 
-std::string joined(const std::vector<Event>& events) {
+/// Its events, then its acts: "arrived,act:grip,act:radio:say:offer".
+std::string joined(const Response& response) {
   std::vector<std::string> names;
-  for (const Event& event : events) {
+  for (const Event& event : response.events) {
     names.emplace_back(event.name);
   }
+  for (const Act& act : response.acts) {
+    std::string& name = names.emplace_back("act:");
+    if (!act.actuator().empty()) name += act.actuator() + ":";
+    name += act.kind().name;
+    if (!(act.kind() == ReadingKind::of<SayCommand>())) continue;
+    const auto& said = *static_cast<const SayCommand*>(act.command());
+    name += std::string(":") + (said.message ? said.message->kind().name : "silence");
+    if (!said.to.empty()) name += ":" + said.to;
+  }
   return base::joined(names, ",");
+}
+
+/// Calls `visit(column, value)` for each number of the commands that a robot's actuators carry out;
+/// NaN: a list is shorter now.
+template <class Visit>
+void visit_commands(const simulation::Simulation& simulation, std::size_t robot, Visit visit) {
+  for (std::size_t i = 0; i < simulation.actuators(robot); ++i) {
+    const std::string id(simulation.actuator(robot, i).id);
+    simulation.visit_command(robot, i, [&](const ReadingField& field) {
+      for (std::size_t k = 0; field.is_number() && k < field.size; ++k) {
+        visit(id + "." + field.column(k), k < field.count ? field.number(k) : std::nan(""));
+      }
+    });
+  }
 }
 
 /// Numbers that differ by rounding have the same text.
@@ -111,7 +135,7 @@ Trace record(Behavior& behavior, const Sequence& sequence) {
     trace.rows.push_back(
         {now.time_s(),
          {r.command.forward, r.command.lateral, r.command.turn, r.activation, r.strength},
-         joined(r.events)});
+         joined(r)});
   }
   return trace;
 }
@@ -140,6 +164,9 @@ Trace record(World& world, double seconds, double interval_s) {
     for (const char* what : {".x", ".y", ".heading", ".forward", ".lateral", ".turn"}) {
       trace.columns.push_back(simulation.robot(i).description->id + what);
     }
+    visit_commands(simulation, i, [&](const std::string& column, double) {
+      trace.columns.push_back(simulation.robot(i).description->id + "." + column);
+    });
   }
   const double step_s = simulation.world().physics.step;
   const auto every = static_cast<int>(std::max(1L, std::lround(interval_s / step_s)));
@@ -156,6 +183,8 @@ Trace record(World& world, double seconds, double interval_s) {
       const Pose& pose = robot.pose;
       now.values.insert(now.values.end(), {pose.x, pose.y, pose.heading_rad, robot.command.forward,
                                            robot.command.lateral, robot.command.turn});
+      visit_commands(simulation, i,
+                     [&](const std::string&, double value) { now.values.push_back(value); });
     }
     for (; recorded < simulation.events().size(); ++recorded) {
       const simulation::EventRecord& event = simulation.events()[recorded];

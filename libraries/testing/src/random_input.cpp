@@ -260,6 +260,28 @@ void InputMaker::add_own_kinds(Situation& now, Random& random) const {
   }
 }
 
+/// Mostly one; every second from a device that does not know where it comes from.
+void InputMaker::add_message(Situation& now, Random& random) const {
+  if (random.chance(0.4)) return;
+  const HeardDeclaration& kind = declaration_.hears[index(random, declaration_.hears.size())];
+  const double scale = random.chance(0.8) ? 1.0 : 1e3;
+  HeardMessage heard;
+  heard.message = std::make_shared<const AnyMessage>(kind.make([&](const ReadingField& field) {
+    for (std::size_t i = 0; field.is_number() && field.is_stored && i < field.count; ++i) {
+      field.set_number(i, scale * random.uniform(-3.0, 10.0));
+    }
+  }));
+  heard.device = "device";
+  heard.from = random.chance(0.2) ? "" : kFirstMate;
+  heard.age_s = random.chance(0.5) ? 0.0 : random.uniform(0.0, 2.0);
+  if (random.chance(0.5)) {
+    heard.distance_m = random.uniform(0.0, 5.0);
+    heard.bearing_rad = random.uniform(-kPi, kPi);
+    heard.elevation_rad = random.uniform(-0.5, 0.5);
+  }
+  now.hear(heard);
+}
+
 Input InputMaker::make_driven(int robot, Random& random) {
   Input input;
   input.robot = robot == 0 ? "a robot of the usual size" : "a robot of another size";
@@ -368,6 +390,9 @@ Input InputMaker::make(int robot, Random& random) const {
     }
     if (random.chance(0.2)) {
       instant.event(events[index(random, events.size())]);
+    }
+    if (!declaration_.hears.empty()) {
+      add_message(instant, random);
     }
     if (!given) {  // a given robot keeps its sensors
       add_own_kinds(instant, random);

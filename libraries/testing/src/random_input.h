@@ -77,6 +77,7 @@ class InputMaker {
   Input make_watched(int number, Random& random) const;
   static Input make_driven(int robot, Random& random);
   void add_own_kinds(Situation& now, Random& random) const;
+  void add_message(Situation& now, Random& random) const;
 
   const Declaration& declaration_;
   const CheckOptions& options_;

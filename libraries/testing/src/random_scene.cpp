@@ -36,6 +36,7 @@ Scene random_world(int number, Random& random) {
                   i == 3 ? "blue" : "");
   }
   made.box("crate", ObservedObstacle::Kind::dynamic, random.uniform(-4, 4), random.uniform(-4, 4));
+  made.field("pheromone", 8, std::vector<double>(64));
   return made;
 }
 
@@ -63,6 +64,14 @@ void move(ObservedRobot& robot, double step_s, bool decides, Random& random) {
   if (random.chance(0.01)) {
     robot.is_leader = !robot.is_leader;
   }
+}
+
+/// Of a field with 8 x 8 of them.
+std::vector<double> random_cells(std::size_t step) {
+  Random random(step + 1);  // its own, so that other input stays as it is
+  std::vector<double> cells(64);
+  for (double& cell : cells) cell = random.chance(0.5) ? random.uniform(0, 100) : 0.0;
+  return cells;
 }
 
 /// A robot's behaviours by their paths in the scene, and its published numbers.
@@ -142,6 +151,9 @@ Input InputMaker::make_watched(int number, Random& random) const {
       for (const std::string& name : cast.numbers) {
         now.number(cast.robot, name) = random.chance(0.9) ? random.uniform(-10, 10) : kNone;
       }
+    }
+    if (!now.observation().fields.empty() && decides && !given) {
+      now.field("pheromone", 8, random_cells(step));
     }
     if (const std::string box = some_resource(now.observation(), random);
         !box.empty() && !casts.empty() && random.chance(0.1)) {

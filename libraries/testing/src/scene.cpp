@@ -76,7 +76,7 @@ Scene& Scene::behaves(const std::string& path, const std::string& plugin) {
 }
 
 Scene& Scene::publishes(const std::string& name, const std::string& unit) {
-  Numbers& numbers = numbers_.at(numbers_.size() - 1);
+  Numbers& numbers = numbers_.empty() ? of_world_ : numbers_.back();
   numbers.names.push_back({keep(name), keep(unit)});
   numbers.values.push_back(std::numeric_limits<double>::quiet_NaN());
   return *this;
@@ -90,6 +90,19 @@ Scene& Scene::box(const std::string& id, ObservedObstacle::Kind kind, double x, 
 
 Scene& Scene::resource(const std::string& id, double x, double y, const std::string& team) {
   return box(id, ObservedObstacle::Kind::resource, x, y, team);
+}
+
+Scene& Scene::field(const std::string& id, std::size_t columns, std::vector<double> cells) {
+  const auto known = std::find_if(fields_.begin(), fields_.end(),
+                                  [&](const ObservedField& each) { return each.id == id; });
+  const auto i = static_cast<std::size_t>(known - fields_.begin());
+  if (known == fields_.end()) {
+    fields_.emplace_back();
+    cells_.emplace_back();
+  }
+  fields_[i] = {keep(id), columns, cells.size() / columns, {}, 1.0};
+  cells_[i] = std::move(cells);
+  return *this;
 }
 
 Scene& Scene::remove_obstacle(const std::string& id) {
@@ -121,11 +134,12 @@ ObservedBehavior& Scene::behavior(const std::string& robot, const std::string& p
 }
 
 double& Scene::number(const std::string& robot, const std::string& name) {
-  Numbers& numbers = numbers_[index_of(robot)];
+  Numbers& numbers = robot.empty() ? of_world_ : numbers_[index_of(robot)];
   for (std::size_t i = 0; i < numbers.names.size(); ++i) {
     if (numbers.names[i].name == name) return numbers.values[i];
   }
-  throw std::invalid_argument("the robot '" + robot + "' publishes no '" + name + "'");
+  throw std::invalid_argument((robot.empty() ? "the world" : "the robot '" + robot + "'") +
+                              " publishes no '" + name + "'");
 }
 
 Scene& Scene::step() { return at_step(steps_ + 1); }
@@ -156,6 +170,13 @@ const Observation& Scene::observation() const {
     seen_[i].numbers = &seen_numbers_[i];
   }
   view_ = now_;
+  seen_of_world_ = of_world_;
+  seen_fields_ = fields_;
+  seen_cells_ = cells_;
+  for (std::size_t i = 0; i < seen_fields_.size(); ++i) seen_fields_[i].cells = seen_cells_[i];
+  view_.fields = seen_fields_;
+  view_.published = seen_of_world_.names;
+  view_.numbers = &seen_of_world_;
   view_.period_s = now_.step_s * static_cast<double>(control_steps_);
   view_.robots = seen_;
   view_.obstacles = boxes_;

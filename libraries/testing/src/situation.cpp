@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 namespace elsie::testing {
@@ -100,12 +101,17 @@ Situation& Situation::charger(double x, double y) {
 
 Situation& Situation::hear(std::shared_ptr<const AnyMessage> message, const std::string& from,
                            double distance_m, double bearing_deg) {
-  Said& said = said_.emplace_back();
-  said.message.message = std::move(message);
-  said.message.distance_m = distance_m;
-  said.message.bearing_rad = radians(bearing_deg);
-  said.message.elevation_rad = std::isnan(distance_m) ? kUnknown : 0.0;
-  said.from = from;
+  HeardMessage heard;
+  heard.message = std::move(message);
+  heard.from = from;
+  heard.distance_m = distance_m;
+  heard.bearing_rad = radians(bearing_deg);
+  heard.elevation_rad = std::isnan(distance_m) ? kUnknown : 0.0;
+  return hear(heard);
+}
+
+Situation& Situation::hear(const HeardMessage& heard) {
+  said_.push_back({heard, std::string(heard.device), std::string(heard.from)});
   return *this;
 }
 
@@ -166,9 +172,16 @@ Perception Situation::perception() const {
   v.heard.clear();
   for (const Said& said : said_) {
     v.heard.push_back(said.message);
+    v.heard.back().device = said.device;
     v.heard.back().from = said.from;
   }
   v.data.heard = v.heard;
+  std::sort(v.listened.begin(), v.listened.end(), [](const ReadingKind& a, const ReadingKind& b) {
+    return std::strcmp(a.name, b.name) < 0;
+  });
+  const auto same = [](const ReadingKind& a, const ReadingKind& b) { return a.has_name_of(b); };
+  v.listened.erase(std::unique(v.listened.begin(), v.listened.end(), same), v.listened.end());
+  v.data.listened = &v.listened;
   v.data.groups = v.groups;
   v.data.self = &self;
   v.data.team = &v.team;

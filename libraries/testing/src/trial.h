@@ -114,6 +114,8 @@ void require_degree(const char* what, double value);
 void require_rating(std::span<const double> desirability);
 void require_sets(const CommandSets& sets);
 void require_finite(const Motion& command);
+/// That it asked for no messages but those of its declaration.
+void require_declared(const Declaration& declaration, const std::vector<ReadingKind>& listened);
 
 /// Commands to be rated; the same for all trials.
 std::span<const Motion> candidates();

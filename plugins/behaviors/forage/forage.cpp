@@ -156,6 +156,7 @@ class Forage final : public elsie::Behavior, public elsie::Remembers {
 ELSIE_BEHAVIOR(
     Forage, "forage", "Drives to a resource, grips it, and carries it to the nest",
     elsie::needs<elsie::OmnidirectionalReading>(), elsie::commands<elsie::GripCommand>(),
+    elsie::hears<elsie::PlaceMessage>(),
     elsie::parameter("colour", &Forage::colour,
                      {.meaning = "of the resources, in full light; by default that of resources "
                                  "without a team"}),

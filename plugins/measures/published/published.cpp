@@ -1,7 +1,9 @@
-// A number that plugins publish: its mean, its range, its end and its curve.
+// A number that plugins of robots or of the world publish: its mean, its range, its end and its
+// curve.
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -78,24 +80,17 @@ class Published final : public elsie::Measure, public ChosenRobots {
     choose(start);
     places_.clear();
     std::vector<std::string> there;
-    for (const std::size_t i : chosen()) {
-      const auto& published = start.robots[i].published;
-      for (std::size_t k = 0; k < published.size(); ++k) {
-        if (published[k].name == number) {
-          places_.push_back({i, k});
-          unit_ = published[k].unit;
-        } else {
-          there.emplace_back(published[k].name);
-        }
-      }
-    }
+    for (const std::size_t i : chosen()) find(start.robots[i].published, i, there);
+    if (places_.empty() && robot.empty() && team.empty()) find(start.published, kWorld, there);
     if (places_.empty()) {
       std::sort(there.begin(), there.end());
       there.erase(std::unique(there.begin(), there.end()), there.end());
-      throw std::invalid_argument("no plugin of these robots publishes '" + number + "'" +
-                                  (there.empty()
-                                       ? "; they publish nothing"
-                                       : elsie::base::near_or_all(number, there, "there are")));
+      throw std::invalid_argument(
+          "no plugin of " +
+          std::string(robot.empty() && team.empty() ? "the world" : "these robots") +
+          " publishes '" + number + "'" +
+          (there.empty() ? "; they publish nothing"
+                         : elsie::base::near_or_all(number, there, "there are")));
     }
   }
   std::vector<elsie::Quantity> quantities() const override {
@@ -114,7 +109,9 @@ class Published final : public elsie::Measure, public ChosenRobots {
   void observe(const elsie::Observation& now) override {
     double sum = 0.0, count = 0.0;
     for (const Place& place : places_) {
-      const double value = now.robots[place.robot].numbers->now()[place.number];
+      const elsie::ObservedNumbers* const numbers =
+          place.robot == kWorld ? now.numbers : now.robots[place.robot].numbers;
+      const double value = numbers->now()[place.number];
       if (std::isnan(value)) continue;
       sum += value;
       count += 1.0;
@@ -142,10 +139,25 @@ class Published final : public elsie::Measure, public ChosenRobots {
   }
 
  private:
+  static constexpr auto kWorld = std::numeric_limits<std::size_t>::max();  // no robot
   struct Place {
     std::size_t robot;
     std::size_t number;
   };
+
+  /// Adds the place of the number, if it is among these, and the names of the others.
+  void find(std::span<const elsie::ObservedNumber> published, std::size_t robot_index,
+            std::vector<std::string>& others) {
+    for (std::size_t k = 0; k < published.size(); ++k) {
+      if (published[k].name == number) {
+        places_.push_back({robot_index, k});
+        unit_ = published[k].unit;
+      } else {
+        others.emplace_back(published[k].name);
+      }
+    }
+  }
+
   std::vector<Place> places_;
   std::string unit_;
   double sum_ = 0.0, count_ = 0.0;
@@ -156,9 +168,9 @@ class Published final : public elsie::Measure, public ChosenRobots {
 }  // namespace
 
 ELSIE_MEASURE(Published, "published",
-              "A number that plugins of robots publish: its mean, its range, its end, its curve",
+              "A number that plugins publish: its mean, its range, its end, its curve",
               elsie::parameter("number", &Published::number,
                                {.meaning = "the path of the plugin, then the name: "
-                                           "'explore/follow_line.offset'",
+                                           "'explore/follow_line.offset', 'respawn.returned'",
                                 .required = true}),
               CHOSEN_ROBOTS_PARAMETERS);

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/world/vocabulary.h"
+
 #include "support.h"
 
 using namespace elsie;
@@ -75,4 +77,34 @@ TEST_CASE("A density of cylinders and of prisms covers its share of the area") {
               "</static_prism>") *
             0.25 ==
         Approx(10.0).margin(0.2));
+}
+
+TEST_CASE("All that the vocabulary has in a scatter can be scattered") {
+  const world::ElementSpec& scatter = *world::vocabulary().child("layouts")->child("scatter");
+  std::size_t members = 0;
+  for (const world::ElementSpec& group : world::vocabulary().children) {
+    if (!group.group || group.name == "layouts") continue;
+    for (const world::ElementSpec& thing : group.held()) {
+      if (!scatter.child(thing.name)) continue;
+      CAPTURE(thing.name);
+      ++members;
+      std::string inside;
+      if (thing.child("waypoint")) inside += "<waypoint x='1' y='1'/>";
+      if (thing.child("point")) {
+        inside += "<point x='1' y='0'/><point x='0' y='0.5'/><point x='0' y='0'/>";
+      }
+      const std::string text = text_of(
+          scattered("count='2'", "<" + thing.name + ">" + inside + "</" + thing.name + ">"));
+      CHECK(text.find("<" + thing.name + " id=\"c2\"") != std::string::npos);
+    }
+  }
+  CHECK(members > 10);
+}
+
+TEST_CASE("Nests are scattered within their region, and may overlap") {
+  const world::World world =
+      drawn(scattered("count='20'", "<nest radius='0.4'/><in_disc radius='1'/>"), 3);
+  REQUIRE(world.nests.size() == 20);
+  for (const world::Nest& nest : world.nests) CHECK(std::hypot(nest.x, nest.y) <= 1.0 + 1e-4);
+  CHECK(world.nests[0].x != world.nests[1].x);
 }

@@ -47,6 +47,36 @@ TEST_CASE("A number that does not exist for a while is left out") {
   CHECK_FALSE(known.value("end"));
 }
 
+TEST_CASE("A number that a rule publishes is measured without a robot") {
+  Scene now;
+  now.publishes("respawn.returned").robot("r1");
+  Measure returned("published", {{"number", "respawn.returned"}});
+  returned.observe(now);
+  now.number("", "respawn.returned") = 3.0;
+  returned.observe(now.step());
+  CHECK(returned.value("end") == 3.0);
+  CHECK(refusal(Measure("published", {{"number", "respawn.returned"}, {"robot", "r1"}}), now) ==
+        "no plugin of these robots publishes 'respawn.returned'; they publish nothing");
+}
+
+TEST_CASE("In a run, the numbers of rules are measured after each step") {
+  elsie::testing::World world = elsie::testing::World::from_text(R"(
+    <world format="1">
+      <resources><resource id="food" x="0.3" y="0"/></resources>
+      <robots>
+        <robot id="r1">
+          <behaviors><go_to_point x="3" y="0"/></behaviors>
+          <coordinator><arbiter_suppression/></coordinator>
+        </robot>
+      </robots>
+      <measures><published id="back" number="respawn.returned"/></measures>
+      <rules><respawn after="1" where="random"/></rules>
+    </world>)");
+  world.run_for(5.0);
+  REQUIRE(world.measured("back.end"));
+  CHECK(*world.measured("back.end") >= 1.0);
+}
+
 TEST_CASE("Its curve covers a run of any length with at most 400 points") {
   for (const int steps : {1, 399, 400, 401, 12345}) {
     CAPTURE(steps);
@@ -73,7 +103,7 @@ TEST_CASE("Its curve covers a run of any length with at most 400 points") {
 
 TEST_CASE("A number that nobody publishes is refused with those that there are") {
   CHECK(refusal(Measure("published", {{"number", "explore.area"}}), exploring()) ==
-        "no plugin of these robots publishes 'explore.area'; there are: explore.known");
+        "no plugin of the world publishes 'explore.area'; there are: explore.known");
   CHECK(
       refusal(Measure("published", {{"number", "explore.known"}, {"robot", "r3"}}), exploring()) ==
       "no plugin of these robots publishes 'explore.known'; they publish nothing");

@@ -90,6 +90,7 @@ void Simulation::Impl::become(world::World next, EditTransaction& transaction) {
     base_steps_ = steps_;
   }
   become_schedule(was);
+  if (!world::same(world::vocabulary(), &was, &world_, world::Cost::object)) ++rebuilds_;
   become_robots(pairs, transaction);
   if (!transaction.problems().empty()) return;
   const bool has_new_bodies = !world::same(world::vocabulary(), &was, &world_, world::Cost::body);

@@ -267,7 +267,7 @@ void Simulation::Impl::obey_rules() {
     ask_rules(judgement_.outcome == Outcome::running, true);
   }
   for (const RuleEdits& due : std::exchange(by_rules_, {})) {
-    const std::uint64_t renewals = renewals_;
+    const std::uint64_t rebuilds = rebuilds_;
     std::size_t event = events_.size();
     try {
       edit(due.edits);
@@ -279,7 +279,7 @@ void Simulation::Impl::obey_rules() {
         changed->rule = due.rule;
       }
     }
-    if (renewals_ != renewals) measuring_->note_rebuilt(due.rule);
+    if (rebuilds_ != rebuilds) measuring_->note_rebuilt(due.rule);
   }
 }
 

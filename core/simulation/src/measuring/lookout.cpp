@@ -66,7 +66,7 @@ std::span<const double> Lookout::Numbers::now() const {
   if (!is_read) {
     std::fill(values.begin(), values.end(), std::numeric_limits<double>::quiet_NaN());
     std::size_t next = 0;  // they are mostly in this order
-    robot->visit_published([&](const PublishedValue& published) {
+    visit_published([&](const PublishedValue& published) {
       const auto is_it = [&](const ObservedNumber& each) {
         const std::string_view path = published.path, name = published.number.name;
         return each.name.size() == path.size() + 1 + name.size() && each.name.starts_with(path) &&
@@ -84,7 +84,9 @@ std::span<const double> Lookout::Numbers::now() const {
   return values;
 }
 
-Lookout::Lookout(const world::World& world, const plugin::Host& host) : host_(host) {
+Lookout::Lookout(const world::World& world, const plugin::Host& host,
+                 std::function<void(const VisitPublished&)> visit_published)
+    : host_(host) {
   for (const world::Team& team : world.teams) {
     add_team(team.id);
   }
@@ -92,6 +94,12 @@ Lookout::Lookout(const world::World& world, const plugin::Host& host) : host_(ho
   for (const world::Robot& robot : world.robots) {
     describe(robot);
   }
+  Numbers& numbers = numbers_.emplace_back();
+  numbers.visit_published = std::move(visit_published);
+  for (const auto& use : world.measures) list_published(PluginKind::measure, use, "");
+  for (const auto& use : world.rules) list_published(PluginKind::rule, use, "");
+  numbers.values.resize(numbers.names.size());
+  now_.published = numbers.names;
   for (const world::Obstacle& obstacle : world.obstacles) {
     stay_in_place_.push_back(stays(obstacle));
     all_obstacles_.push_back({obstacle.id,
@@ -100,6 +108,8 @@ Lookout::Lookout(const world::World& world, const plugin::Host& host) : host_(ho
                               {obstacle.x, obstacle.y, wrap_angle(radians(obstacle.heading_deg))}});
     add_team(obstacle.team);
   }
+  for (const world::ScalarField& field : world.fields) fields_.push_back({.id = field.id});
+  now_.fields = fields_;
   obstacles_ = all_obstacles_;
   now_.step_s = world.physics.step;
   now_.period_s = world.physics.step * static_cast<double>(world.physics.control_steps);
@@ -182,27 +192,34 @@ bool Lookout::has_cast_of(const Lookout& other) const {
   const auto same_behavior = [](const ObservedBehavior& a, const ObservedBehavior& b) {
     return a.path == b.path && a.plugin == b.plugin;
   };
+  const auto same_name = [](const ObservedNumber& a, const ObservedNumber& b) {
+    return a.name == b.name;
+  };
   const auto same_robot = [&](const ObservedRobot& a, const ObservedRobot& b) {
     return a.id == b.id && a.team == b.team && same(a.behaviors, b.behaviors, same_behavior) &&
-           same(a.published, b.published,
-                [](const auto& one, const auto& two) { return one.name == two.name; });
+           same(a.published, b.published, same_name);
   };
   return same(robots_, other.robots_, same_robot) &&
+         same(now_.published, other.now_.published, same_name) &&
          same(all_obstacles_, other.all_obstacles_,
               [](const ObservedObstacle& a, const ObservedObstacle& b) {
                 return a.id == b.id && a.team == b.team;
               });
 }
 
-void Lookout::look(Robots robots, const physics::Engine& engine,
+void Lookout::look(Robots robots, const physics::Engine& engine, const Fields& fields,
                    std::span<const EventRecord> events, double time_s, bool decided,
                    bool is_start) {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     take_over(*robots[i], robots_[i], behaviors_[i]);
-    numbers_[i].robot = robots[i].get();
+    numbers_[i].visit_published = [robot = robots[i].get()](const VisitPublished& visit) {
+      robot->visit_published(visit);
+    };
     numbers_[i].is_read = false;
     robots_[i].numbers = &numbers_[i];
   }
+  numbers_.back().is_read = false;
+  now_.numbers = &numbers_.back();
   obstacles_.clear();
   for (std::size_t i = 0; i < all_obstacles_.size(); ++i) {
     if (engine.has_obstacle(i)) {
@@ -213,6 +230,11 @@ void Lookout::look(Robots robots, const physics::Engine& engine,
                          std::atan2(frame.forward.y, frame.forward.x)};
       }
     }
+  }
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    const RunningField& field = fields[i];
+    fields_[i] = {field.id(), field.cells().columns, field.cells().rows, field.grid(),
+                  field.scale()};
   }
   events_.clear();
   for (const EventRecord& event : events) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,16 +11,20 @@
 #include "elsie/physics/engine.h"
 #include "elsie/plugin/host.h"
 #include "elsie/simulation/run_result.h"
+#include "elsie/simulation/simulation.h"
 #include "elsie/world/description.h"
 
 #include "robot/robot_surroundings.h"
+#include "step/fields.h"
 
 namespace elsie::simulation {
 
 class Lookout {
  public:
   /// The world must outlive this object and must not move: ids are views of it.
-  Lookout(const world::World& world, const plugin::Host& host);
+  /// `visit_published`: of the measures and rules.
+  Lookout(const world::World& world, const plugin::Host& host,
+          std::function<void(const VisitPublished&)> visit_published);
   Lookout(const Lookout&) = delete;
   Lookout& operator=(const Lookout&) = delete;
 
@@ -34,17 +39,17 @@ class Lookout {
 
   /// Updates now(). `decided`: robots decided in the last step; `is_start`: as in Observation.
   /// Allocates nothing.
-  void look(Robots robots, const physics::Engine& engine, std::span<const EventRecord> events,
-            double time_s, bool decided, bool is_start);
+  void look(Robots robots, const physics::Engine& engine, const Fields& fields,
+            std::span<const EventRecord> events, double time_s, bool decided, bool is_start);
 
  private:
-  /// The numbers of one robot, read when a measure asks for them.
+  /// The numbers of one robot, or of the world, read when a measure asks for them.
   class Numbers final : public ObservedNumbers {
    public:
     std::span<const double> now() const override;
 
     std::vector<ObservedNumber> names;
-    const Robot* robot = nullptr;  // null: not looked at yet
+    std::function<void(const VisitPublished&)> visit_published;
     mutable bool is_read = false;
     mutable std::vector<double> values;
   };
@@ -58,7 +63,7 @@ class Lookout {
   Observation now_;
   const plugin::Host& host_;
   std::deque<std::string> paths_;  // of behaviours and numbers
-  std::deque<Numbers> numbers_;
+  std::deque<Numbers> numbers_;    // of the robots, then of the world
   std::vector<std::vector<ObservedBehavior>> behaviors_;
   std::vector<ObservedRobot> robots_;
   std::vector<ObservedObstacle> all_obstacles_;  // at the start
@@ -66,6 +71,7 @@ class Lookout {
   std::vector<ObservedObstacle> obstacles_;
   std::vector<std::string_view> teams_;
   std::vector<ObservedEvent> events_;
+  std::vector<ObservedField> fields_;
 };
 
 }  // namespace elsie::simulation

@@ -84,7 +84,9 @@ std::vector<Quantity> measure_names(const world::World& world, const plugin::Hos
 Measuring::Measuring(const world::World& world, const plugin::Host& host, const Budget& budget,
                      std::vector<base::Problem>& problems)
     : guard_("", budget) {
-  if (!world.measures.empty() || !world.rules.empty()) lookout_.emplace(world, host);
+  if (!world.measures.empty() || !world.rules.empty()) {
+    lookout_.emplace(world, host, [this](const auto& visit) { visit_published(visit); });
+  }
   for (const world::PluginUse& use : world.measures) {
     add(PluginKind::measure, use, host, problems);
   }
@@ -177,9 +179,9 @@ void Measuring::list_late_notes(std::vector<Note>& notes) const {
   for (const auto& slot : slots_) {
     if (slot->rebuilt < kMany) continue;
     notes.push_back({"", slot->use->id,
-                     "its edits made parts of the world again " + std::to_string(slot->rebuilt) +
-                         " times, which is slow; docs/changing-a-world.md lists edits that are "
-                         "made in place"});
+                     "its edits made objects or bodies again " + std::to_string(slot->rebuilt) +
+                         " times, which is slow; docs/changing-a-world.md lists edits that cost "
+                         "nothing"});
   }
 }
 
@@ -225,11 +227,11 @@ bool Measuring::has_begun(PluginKind kind) const {
                      [&](const auto& slot) { return slot->has_begun || slot->kind != kind; });
 }
 
-void Measuring::look(Robots robots, const physics::Engine& engine,
+void Measuring::look(Robots robots, const physics::Engine& engine, const Fields& fields,
                      std::span<const EventRecord> events, double time_s, std::uint64_t step,
                      bool decided, bool is_start) {
   guard_.begin_step(step, time_s);
-  if (lookout_) lookout_->look(robots, engine, events, time_s, decided, is_start);
+  if (lookout_) lookout_->look(robots, engine, fields, events, time_s, decided, is_start);
 }
 
 template <class Call>

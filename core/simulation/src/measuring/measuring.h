@@ -49,8 +49,9 @@ class Measuring {
   /// Returns whether all of a kind have had their first observation.
   bool has_begun(PluginKind kind) const;
   /// Looks at the world after the step with this number. `events`: since the last look.
-  void look(Robots robots, const physics::Engine& engine, std::span<const EventRecord> events,
-            double time_s, std::uint64_t step, bool decided, bool is_start);
+  void look(Robots robots, const physics::Engine& engine, const Fields& fields,
+            std::span<const EventRecord> events, double time_s, std::uint64_t step, bool decided,
+            bool is_start);
   /// Calls observe() of the measures. `is_start`: the first call, only of measures that have not
   /// begun. Throws PluginFault.
   void observe(bool is_start);
@@ -60,7 +61,7 @@ class Measuring {
   void place_box(std::size_t index, const Pose& pose) {
     if (lookout_) lookout_->place_box(index, pose);
   }
-  /// An edit of the rule with this id was not made in place.
+  /// An edit of the rule with this id has made objects or bodies again.
   void note_rebuilt(const std::string& rule);
   /// Appends the values so far. Throws PluginFault; after a failure all values are none, and
   /// measures are not called any more.
@@ -88,7 +89,7 @@ class Measuring {
     bool has_begun = false;
     std::vector<Quantity> quantities;  // of a measure, under their full names
     std::vector<std::optional<double>> values;
-    std::uint64_t rebuilt = 0;  // how often edits of a rule were not made in place
+    std::uint64_t rebuilt = 0;  // how often edits of a rule made objects or bodies again
   };
   void add(PluginKind kind, const world::PluginUse& use, const plugin::Host& host,
            std::vector<base::Problem>& problems);

@@ -103,7 +103,7 @@ void Simulation::Impl::look(bool decided, bool is_start) {
   // At a start nothing has happened yet; what raised events before is seen after the first step.
   const auto events =
       std::span<const EventRecord>(events_).subspan(is_start ? events_.size() : looked_at_);
-  measuring_->look(robots_, *engine_, events, time_s(), last_step, decided, is_start);
+  measuring_->look(robots_, *engine_, *fields_, events, time_s(), last_step, decided, is_start);
   if (!is_start) looked_at_ = events_.size();
 }
 

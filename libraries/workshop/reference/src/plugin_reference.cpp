@@ -170,6 +170,9 @@ std::string plugin_declaration(const Declaration& declaration) {
   for (const ReadingDeclaration& command : declaration.takes) {
     text += "\nTakes commands of the kind `" + command.kind + "`" + fields_of(command) + ".\n";
   }
+  for (const HeardDeclaration& message : declaration.hears) {
+    text += "\nHears messages of the kind `" + message.kind + "`" + fields_of(message) + ".\n";
+  }
   if (declaration.only_acts) text += "\nIt only acts: the coordinator does not see it.\n";
   if (!declaration.published.empty()) {
     text += "\nPublishes:\n\n| number | unit | meaning |\n|---|---|---|\n";

@@ -162,8 +162,8 @@ class Behavior : public Component {
 /// Makes a behaviour class a plugin:
 ///   ELSIE_BEHAVIOR(Class, "name", "one line that says what it does", items...)
 /// Items: elsie::parameter(), elsie::elements(), elsie::holds_behaviors(), elsie::needs<Reading>(),
-/// elsie::commands<Command>(), elsie::only_acts(), elsie::raises(), elsie::version(); see
-/// declaration.h.
+/// elsie::commands<Command>(), elsie::hears<Message>(), elsie::only_acts(), elsie::raises(),
+/// elsie::version(); see declaration.h.
 #define ELSIE_BEHAVIOR(Class, ...) \
   ELSIE_REGISTER_PLUGIN_(::elsie::PluginKind::behavior, Class, __VA_ARGS__)
 

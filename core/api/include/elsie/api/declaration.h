@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "elsie/api/component.h"
+#include "elsie/api/message.h"
 #include "elsie/api/reading.h"
 
 namespace elsie {
@@ -114,6 +115,11 @@ struct PublishedNumber {
   std::function<double(const Component&)> get;
 };
 
+/// A kind of message that a plugin hears.
+struct HeardDeclaration : ReadingDeclaration {
+  std::function<AnyMessage(const FieldVisit& change)> make;  // for tests: `change` sets its numbers
+};
+
 struct Declaration {
   PluginKind kind = PluginKind::behavior;
   std::string name;
@@ -129,6 +135,7 @@ struct Declaration {
   std::vector<ReadingDeclaration> produces;  // sensors: exactly one
   std::vector<ReadingDeclaration> commands;  // behaviours: a robot without such an actuator, too
   std::vector<ReadingDeclaration> takes;     // actuators: exactly one
+  std::vector<HeardDeclaration> hears;       // behaviours and coordinators: see hears()
   bool hears_messages = false;               // actuators: see hears_messages()
   bool only_acts = false;                    // behaviours: see only_acts()
   std::vector<std::string> field_parameters;  // see names_field()
@@ -244,6 +251,18 @@ template <class Command>
 auto takes() {
   return [](Declaration& declaration) {
     declaration.takes.push_back(ReadingDeclaration::of<Command>());
+  };
+}
+
+/// The behaviour or coordinator listens to such messages: tests make them up.
+template <class Content>
+auto hears() {
+  return [](Declaration& declaration) {
+    declaration.hears.push_back({ReadingDeclaration::of<Content>(), [](const FieldVisit& change) {
+                                   Content content{};
+                                   visit_fields(content, change);
+                                   return AnyMessage(std::move(content));
+                                 }});
   };
 }
 

@@ -43,16 +43,16 @@ struct ObservedBehavior {
   double robot_share = 0.0;  // its part in the robot's command: the product of nested shares
 };
 
-/// A number that a plugin of a robot publishes; see publishes().
+/// A number that a plugin publishes; see publishes().
 struct ObservedNumber {
   std::string_view name;  // "explore/avoid.clearance": the plugin's path, then its own
   std::string_view unit;
 };
 
-/// Reads the numbers that the plugins of a robot publish.
+/// Reads the numbers that the plugins of a robot publish, or the measures and rules of the world.
 class ObservedNumbers {
  public:
-  /// All of them at this instant, in the order of ObservedRobot::published; NaN: there is none.
+  /// All of them at this instant, in the order of `published`; NaN: there is none.
   virtual std::span<const double> now() const = 0;
 
  protected:
@@ -105,6 +105,14 @@ struct ObservedEvent {
   std::string_view robot;  // its id; empty: an edit of the world
 };
 
+/// A field of the world: its cells divide the arena evenly.
+struct ObservedField {
+  std::string_view id;
+  std::size_t columns = 0, rows = 0;  // along x and y
+  std::span<const double> cells{};    // rows from south to north; none before the first observation
+  double scale = 1.0;                 // times a cell: its value, units/m2
+};
+
 /// The world at an instant. It refers to memory of the simulator and is valid only during the call.
 /// Ids, and the indices of robots and behaviours, do not change from equipped() on while the
 /// measure lives. Reading it allocates nothing.
@@ -120,6 +128,9 @@ struct Observation {
   std::span<const ObservedObstacle> obstacles;  // in the order of the world file, resources last
   std::span<const std::string_view> teams;
   std::span<const ObservedEvent> events;  // in the order in which they were raised
+  std::span<const ObservedField> fields;
+  std::span<const ObservedNumber> published;  // by measures and rules: "respawn.returned"
+  const ObservedNumbers* numbers = nullptr;   // their values, as in ObservedRobot
 
   /// The robot with this id. Throws std::invalid_argument with a sentence that lists the robots.
   const ObservedRobot& robot(std::string_view id) const;

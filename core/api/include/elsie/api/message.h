@@ -84,15 +84,15 @@ struct Talk {
 struct HeardMessage {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-  std::shared_ptr<const AnyMessage> message;
-  std::string_view device;  // the id of the actuator that hears it
-  std::string_view from;    // the id of the robot that said it; empty: the device does not tell
-  double age_s = 0.0;       // since it was said
+  std::shared_ptr<const AnyMessage> message{};
+  std::string_view device{};  // the id of the actuator that hears it
+  std::string_view from{};    // the id of the robot that said it; empty: the device does not tell
+  double age_s = 0.0;         // since it was said
   // Of the sender, from the device that hears it, as range_and_bearing tells; else kUnknown.
   double distance_m = kUnknown;
   double bearing_rad = kUnknown;    // from the device's forward axis, positive to the left
   double elevation_rad = kUnknown;  // positive upwards
-  Vector3 sender_at;                // in the world, when it is heard: for viewers
+  Vector3 sender_at{};              // in the world, when it is heard: for viewers
 };
 
 /// One of them, whose type is known: `heard->x`, `heard.from()`.

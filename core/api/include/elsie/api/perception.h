@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "elsie/api/event.h"
 #include "elsie/api/geometry.h"
@@ -186,6 +187,7 @@ class Perception {
     const TeamState* team = nullptr;
     std::span<const Event> events;
     std::span<const HeardMessage> heard{};
+    std::vector<ReadingKind>* listened = nullptr;  // tests: kinds of messages that were asked for
   };
 
   Perception(const Data& data, Random& random) : data_(&data), random_(&random) {}
@@ -211,6 +213,7 @@ class Perception {
   /// The messages of this type that its actuators hear in this control period.
   template <class Content>
   HeardMessages<Content> heard() const {
+    if (data_->listened) data_->listened->push_back(ReadingKind::of<Content>());
     return HeardMessages<Content>(data_->heard);
   }
   const OwnState& self() const { return *data_->self; }

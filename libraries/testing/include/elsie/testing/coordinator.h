@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "elsie/api/coordinator.h"
@@ -11,6 +12,16 @@
 #include "elsie/testing/team.h"
 
 namespace elsie::testing {
+
+/// A member's command to an actuator.
+struct Wish {
+  template <class Command>
+  Wish(std::string member_name, Command command)
+      : member(std::move(member_name)), act("", std::move(command)) {}
+
+  std::string member;
+  Act act;
+};
 
 ///   Coordinator vote("arbiter_voting", team);
 ///   CHECK_THAT(vote.decide(), commands_wheels(10, 10));
@@ -33,6 +44,12 @@ class Coordinator {
   Motion decide_at(double time_s);
   /// Its decisions at several instants in order.
   std::vector<Motion> decide(const Sequence& sequence);
+
+  /// Which command an actuator gets, after a decision: resolve("lamp", {{"avoid",
+  /// LedCommand{kRed}},
+  /// {"seek", LedCommand{kBlue}}}). An index into the wishes, or their number for none of them, as
+  /// the plugin says it. Throws std::invalid_argument for a name that no member has.
+  std::size_t resolve(const std::string& actuator, const std::vector<Wish>& wishes);
 
   /// Its ratings after a decision, as an outer coordinator would get them if this one were inside a
   /// behaviour.

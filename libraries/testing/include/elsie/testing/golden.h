@@ -29,12 +29,15 @@ struct Trace {
 };
 
 /// A behaviour's answers: forward, lateral (m/s), turn (rad/s), activation, strength, and events.
+/// Its commands to actuators stand after the events: act:KIND or act:ACTUATOR:KIND, and what it
+/// says with the kind of the message and the receiver, act:say:offer:r2.
 Trace record(Behavior& behavior, const Sequence& sequence);
 /// A coordinator's decisions: forward, lateral (m/s), turn (rad/s), and the share of each of its
 /// members.
 Trace record(Coordinator& coordinator, Team& team, const Sequence& sequence);
 /// A world from its present state: every `interval_s`, for each robot x, y (m), heading (rad) and
-/// its command (m/s, rad/s), and the events since the row before. Throws simulation::PluginFault.
+/// its command (m/s, rad/s), each number of the commands that its actuators carry out
+/// (r1.gripper.closed), and the events since the row before. Throws simulation::PluginFault.
 Trace record(World& world, double seconds, double interval_s = 0.1);
 
 /// Whether the trace equals that of the file: the same columns, steps and events, and numbers

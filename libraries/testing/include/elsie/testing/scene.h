@@ -35,13 +35,16 @@ class Scene {
   /// Adds a behaviour by its path: "explore", then "explore/wander" inside of it. Throws
   /// std::invalid_argument when the outer one does not exist.
   Scene& behaves(const std::string& path, const std::string& plugin = "");
-  /// Adds a number that a plugin of the robot publishes, such as "explore.known". There is none
-  /// until number() sets it.
+  /// Adds a number that a plugin of the robot publishes, such as "explore.known"; before the first
+  /// robot, one that a rule or measure publishes. There is none until number() sets it.
   Scene& publishes(const std::string& name, const std::string& unit = "");
 
   Scene& box(const std::string& id, ObservedObstacle::Kind kind, double x, double y,
              const std::string& team = "");
   Scene& resource(const std::string& id, double x, double y, const std::string& team = "");
+  /// Sets the values of a field of the world: `columns` cells along x, and as many rows as there
+  /// are numbers for, from south to north.
+  Scene& field(const std::string& id, std::size_t columns, std::vector<double> cells);
   /// Removes a box, as when a resource was collected.
   Scene& remove_obstacle(const std::string& id);
 
@@ -53,7 +56,7 @@ class Scene {
   /// One of its behaviours by its path, to be changed. Its share in the robot's command is
   /// computed.
   ObservedBehavior& behavior(const std::string& robot, const std::string& path);
-  /// One of its published numbers, to be changed.
+  /// One of its published numbers, to be changed; without a robot, one of the world's.
   double& number(const std::string& robot, const std::string& name);
 
   /// Moves to the instant after the next step. Robots decide in it when it begins a control period.
@@ -82,9 +85,12 @@ class Scene {
   std::vector<ObservedRobot> robots_;
   std::vector<std::vector<ObservedBehavior>> behaviors_;  // for each robot
   std::vector<Numbers> numbers_;                          // for each robot
+  Numbers of_world_;
   std::vector<ObservedObstacle> boxes_;
   std::vector<std::string_view> teams_;
   std::vector<ObservedEvent> events_;
+  std::vector<ObservedField> fields_;
+  std::vector<std::vector<double>> cells_;  // for each field
   int steps_ = 0;
   int control_steps_ = 1;
   // The data that observation() refers to, renewed by each call.
@@ -93,6 +99,9 @@ class Scene {
   mutable std::vector<ObservedRobot> seen_;
   mutable std::vector<std::vector<ObservedBehavior>> seen_behaviors_;
   mutable std::vector<Numbers> seen_numbers_;
+  mutable Numbers seen_of_world_;
+  mutable std::vector<ObservedField> seen_fields_;
+  mutable std::vector<std::vector<double>> seen_cells_;
 };
 
 }  // namespace elsie::testing

@@ -83,6 +83,13 @@ class Situation {
   }
   Situation& hear(std::shared_ptr<const AnyMessage> message, const std::string& from,
                   double distance_m, double bearing_deg);
+  /// The same with all that a device may tell: hear(Offer{}, {.device = "radio", .age_s = 0.2}).
+  template <class Content>
+  Situation& hear(Content content, HeardMessage how) {
+    how.message = std::make_shared<const AnyMessage>(AnyMessage(std::move(content)));
+    return hear(how);
+  }
+  Situation& hear(const HeardMessage& heard);
   static constexpr double kUnknown = HeardMessage::kUnknown;
   Situation& time(double time_s);
   /// Sets the time between decisions.
@@ -90,6 +97,9 @@ class Situation {
   /// Sets the seed of the stream in perception(). Objects of this library draw from their own
   /// streams.
   Situation& seed(std::uint64_t seed);
+
+  /// The kinds of messages that its perceptions were asked for, each at least once.
+  const std::vector<ReadingKind>& listened() const { return views_.listened; }
 
   /// For calling a plugin's object directly. Refers to this situation, and is valid until that
   /// changes.
@@ -120,7 +130,7 @@ class Situation {
   std::deque<std::string> events_;
   struct Said {
     HeardMessage message;
-    std::string from;
+    std::string device, from;
   };
   std::deque<Said> said_;
   Perception::Data data_;
@@ -136,6 +146,7 @@ class Situation {
     std::vector<TeamMate> mates;
     std::vector<Event> events;
     std::vector<HeardMessage> heard;
+    std::vector<ReadingKind> listened;
   };
   mutable Views views_;
 };

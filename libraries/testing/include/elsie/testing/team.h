@@ -63,6 +63,7 @@ class Team final : private Member::Runner {
 
   std::size_t size() const { return members_.size(); }
   std::span<Member> members() { return members_; }
+  const Member& member(const std::string& name) const { return members_[index_of(name)]; }
   /// May be changed between steps.
   Response& answer(std::size_t i) { return slots_[i].behavior.answer; }
   /// The coordinator's notes about a member in this step. Throws std::invalid_argument for an
