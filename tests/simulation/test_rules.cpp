@@ -222,6 +222,20 @@ TEST_CASE("A rule goes on when its own edits change robots and boxes, and keeps 
   CHECK(drawn == before);
 }
 
+TEST_CASE("A rule that names a robot goes on when that is removed") {
+  const plugin::Host host(shipped_directory());
+  Simulation simulation(
+      world::parse_world(
+          R"(<world format="1"><robots><robot id="r1"/><robot id="r2" y="-1"/></robots>
+<rules><referee robot="r1"><after time="0.05"/></referee></rules><limits time="1"/></world>)",
+          "field.xml", host),
+      host);
+  simulation.step();
+  simulation.edit("robot[r1]/@remove", "true");
+  CHECK(simulation.run().outcome == Outcome::failure);
+  CHECK(simulation.result().simulated_s == Approx(0.05));
+}
+
 TEST_CASE("Events of a rule reach one robot or all, in the next decision") {
   plugin::Host host = ruled_by([](const Observation& now, WorldChanges& world) {
     if (is_step(now, 1)) world.raise({"alarm"}, "r2");

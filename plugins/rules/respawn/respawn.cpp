@@ -1,5 +1,6 @@
 // Collected resources come back after a time: where they were, or at random.
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -29,10 +30,22 @@ class Respawn final : public elsie::Rule {
   }
   void equipped(const elsie::Observation& start) override {
     if (!team.empty()) start.require_team(team);
-    if (!resource.empty() && std::none_of(start.obstacles.begin(), start.obstacles.end(),
-                                          [this](const auto& each) { return is_chosen(each); })) {
+    has_some_ = std::any_of(start.obstacles.begin(), start.obstacles.end(),
+                            [this](const auto& each) { return is_chosen(each); });
+    if (!resource.empty() && !has_some_) {
       throw std::invalid_argument("there is no resource '" + resource + "' in this world");
     }
+    if (where == "random" && (std::abs(x) >= 0.5 * (start.arena_length_m + length) ||
+                              std::abs(y) >= 0.5 * (start.arena_width_m + width))) {
+      throw std::invalid_argument(
+          "its rectangle is outside of the arena; expected one where resources can be put");
+    }
+  }
+  std::vector<std::string> notes() const override {
+    if (has_some_) return {};
+    return {"the world has no resource" +
+            (team.empty() ? std::string() : " of the team '" + team + "'") +
+            ", so none comes back; give it one"};
   }
   void reset(elsie::Random& random) override {
     random_ = &random;
@@ -117,6 +130,7 @@ class Respawn final : public elsie::Rule {
   }
 
   elsie::Random* random_ = nullptr;
+  bool has_some_ = true;
   std::vector<Known> known_;
   std::uint64_t round_ = 0;
   int returned_ = 0;

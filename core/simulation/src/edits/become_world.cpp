@@ -280,7 +280,8 @@ void Simulation::Impl::check_room(const world::World& was,
 
 void Simulation::Impl::become_measures(const world::World& was, EditTransaction& transaction) {
   const auto before = measuring_;
-  measuring_ = std::make_shared<Measuring>(world_, *host_, options_.budget, transaction.problems());
+  measuring_ = std::make_shared<Measuring>(world_, *host_, options_.budget, transaction.problems(),
+                                           before.get());
   if (!transaction.problems().empty()) return;
   const bool same_stage = same_part("teams", was, world_) && same_part("physics", was, world_) &&
                           same_part("arena", was, world_);

@@ -82,7 +82,7 @@ std::vector<Quantity> measure_names(const world::World& world, const plugin::Hos
 }
 
 Measuring::Measuring(const world::World& world, const plugin::Host& host, const Budget& budget,
-                     std::vector<base::Problem>& problems)
+                     std::vector<base::Problem>& problems, const Measuring* before)
     : guard_("", budget) {
   if (!world.measures.empty() || !world.rules.empty()) {
     lookout_.emplace(world, host, [this](const auto& visit) { visit_published(visit); });
@@ -90,7 +90,13 @@ Measuring::Measuring(const world::World& world, const plugin::Host& host, const 
   for (const world::PluginUse& use : world.measures) {
     add(PluginKind::measure, use, host, problems);
   }
-  for (const world::PluginUse& use : world.rules) add(PluginKind::rule, use, host, problems);
+  for (const world::PluginUse& use : world.rules) {
+    if (before && before->slot_of(PluginKind::rule, use)) {
+      slots_.push_back(std::make_shared<Slot>(PluginKind::rule, use, host));  // for take()
+    } else {
+      add(PluginKind::rule, use, host, problems);
+    }
+  }
   check_names(problems);
 }
 
@@ -197,17 +203,21 @@ void Measuring::take(const Measuring& before, bool same_stage, Undo& undo) {
   has_failed_ = may_measure && before.has_failed_;
   for (auto& slot : slots_) {
     if (!may_measure && slot->kind == PluginKind::measure) continue;
-    for (const auto& known : before.slots_) {
-      if (known->kind == slot->kind && known->use->id == slot->use->id &&
-          world::same(*known->use, *slot->use)) {
-        const world::PluginUse* const use = slot->use;
-        slot = known;
-        undo.keep(slot->use);
-        slot->use = use;
-        break;
-      }
+    if (const auto known = before.slot_of(slot->kind, *slot->use)) {
+      const world::PluginUse* const use = slot->use;
+      slot = known;
+      undo.keep(slot->use);
+      slot->use = use;
     }
   }
+}
+
+std::shared_ptr<Measuring::Slot> Measuring::slot_of(PluginKind kind,
+                                                    const world::PluginUse& use) const {
+  const auto found = std::find_if(slots_.begin(), slots_.end(), [&](const auto& slot) {
+    return slot->kind == kind && slot->use->id == use.id && world::same(*slot->use, use);
+  });
+  return found == slots_.end() ? nullptr : *found;
 }
 
 void Measuring::reset_new(std::uint64_t seed, const std::string& time, Statements& said) {

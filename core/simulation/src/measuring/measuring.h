@@ -24,9 +24,9 @@ namespace elsie::simulation {
 class Measuring {
  public:
   /// Makes and equips the plugin objects; adds what they refuse to `problems`. The world must
-  /// outlive this object and must not move.
+  /// outlive this object and must not move. `before`: take() follows, with its unchanged rules.
   Measuring(const world::World& world, const plugin::Host& host, const Budget& budget,
-            std::vector<base::Problem>& problems);
+            std::vector<base::Problem>& problems, const Measuring* before = nullptr);
 
   bool empty() const { return slots_.empty(); }
   bool has_rules() const { return !empty() && slots_.back()->kind == PluginKind::rule; }
@@ -95,6 +95,8 @@ class Measuring {
            std::vector<base::Problem>& problems);
   template <class Call>
   void call(PluginKind kind, bool is_start, const Call& call);
+  /// The object of the same description, or null.
+  std::shared_ptr<Slot> slot_of(PluginKind kind, const world::PluginUse& use) const;
   void check_names(std::vector<base::Problem>& problems) const;
 
   mutable Guard guard_;                       // looking at a plugin can fail, too
