@@ -337,6 +337,27 @@ TEST_CASE("check warns of goals out of reach, and of beams that look over everyt
   CHECK(warnings("<obstacles><static_box x=\"1\" height=\"0.1\"/></obstacles>" + robot).empty());
 }
 
+TEST_CASE("check warns of what nobody can carry to where it belongs") {
+  Workplace here;
+  const auto warnings = [&](const std::string& inside) {
+    here.write("w.xml",
+               "<world format=\"1\"><robots><robot id=\"r1\"/></robots>\n" + inside + "</world>");
+    return here.elsie("check w.xml").err;
+  };
+  const auto puck = [](const std::string& more) {
+    return "<resources><resource id=\"p\" x=\"1\" " + more + "/></resources>";
+  };
+  const std::string nest = "<nests><nest/></nests>";
+  CHECK_THAT(warnings(puck("collect=\"nest\"")),
+             Catch::Contains("w.xml:2: warning: the resource 'p' is to be carried to a nest, and "
+                             "the world has none; add a <nest>"));
+  CHECK_THAT(warnings(puck("collect=\"nest\" hands=\"2\"") + nest),
+             Catch::Contains("the resource 'p' takes 2 hands, and the world has one robot"));
+  CHECK_THAT(warnings(puck("hands=\"2\"")),
+             Catch::Contains("has hands=\"2\", which counts only with collect=\"nest\""));
+  CHECK(warnings(puck("collect=\"nest\"") + nest).empty());
+}
+
 TEST_CASE("check warns of what nobody hears, and of goals about any robot that none can reach") {
   Workplace here;
   const auto warnings = [&](const std::string& content) {

@@ -9,6 +9,7 @@
 #include "elsie/api/message.h"
 #include "elsie/api/reading.h"
 #include "elsie/base/number_text.h"
+#include "elsie/base/words.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/footprint.h"
 
@@ -49,6 +50,7 @@ class Doubts {
       if (const auto* travel = std::get_if<world::TravelGoal>(&goal)) check(*travel);
       if (const auto* reach = std::get_if<world::ReachGoal>(&goal)) check(*reach);
     });
+    for (const world::Obstacle& thing : world_.obstacles) check_cargo(thing);
     for (std::size_t robot = 0; robot < world_.robots.size(); ++robot) {
       check_beams(robot);
       for (std::size_t i = 0; i < simulation_.actuators(robot); ++i) check_talk(robot, i);
@@ -132,6 +134,25 @@ class Doubts {
       }
     }
     return is_inside(goal.x, goal.y);  // the outline is convex
+  }
+
+  /// What is to be carried.
+  void check_cargo(const world::Obstacle& thing) {
+    const bool is_resource = thing.kind == world::ObstacleKind::resource;
+    if (is_resource && !thing.to_nest && thing.hands > 1) {
+      add(thing.location, thing.in_words() + " has hands=\"" + std::to_string(thing.hands) +
+                              "\", which counts only with collect=\"nest\"");
+    }
+    if (!world_.edits.empty() || !world_.rules.empty()) return;
+    if (is_resource && thing.to_nest && world_.nests.empty()) {
+      add(thing.location,
+          thing.in_words() + " is to be carried to a nest, and the world has none; add a <nest>");
+    }
+    if (thing.is_dynamic() && static_cast<std::size_t>(thing.hands) > world_.robots.size()) {
+      add(thing.location, thing.in_words() + " takes " + std::to_string(thing.hands) +
+                              " hands, and the world has " +
+                              base::counted(world_.robots.size(), "robot"));
+    }
   }
 
   /// Devices for messages that nobody hears.
