@@ -352,7 +352,7 @@ TEST_CASE("check warns of what nobody can carry to where it belongs") {
              Catch::Contains("w.xml:2: warning: the resource 'p' is to be carried to a nest, and "
                              "the world has none; add a <nest>"));
   CHECK_THAT(warnings(puck("collect=\"nest\" hands=\"2\"") + nest),
-             Catch::Contains("the resource 'p' takes 2 hands, and the world has one robot"));
+             Catch::Contains("the resource 'p' takes 2 hands, and the world has 1 robot"));
   CHECK_THAT(warnings(puck("hands=\"2\"")),
              Catch::Contains("has hands=\"2\", which counts only with collect=\"nest\""));
   CHECK(warnings(puck("collect=\"nest\"") + nest).empty());
