@@ -32,7 +32,7 @@ TEST_CASE("With an event it says for a while where it was then") {
   const auto behavior = test::make<Behavior>(PluginKind::behavior, "say",
                                              {{"event", std::string("taken")}, {"lasts", 3.0}});
   Situation before;
-  CHECK_FALSE(said(behavior->respond(before.at(0, 0, 0).perception())));
+  CHECK(behavior->respond(before.at(0, 0, 0).perception()).acts.empty());
   Situation then;
   then.at(1, 2, 0).time(10.0).event("taken");
   CHECK(said(behavior->respond(then.perception())));
@@ -42,4 +42,6 @@ TEST_CASE("With an event it says for a while where it was then") {
   REQUIRE(said(response));
   CHECK(said(response)->x == 1.0);
   CHECK_FALSE(said(behavior->respond(later.time(13.01).perception())));
+  // It has commanded silence once, and leaves the actuator to others.
+  CHECK(behavior->respond(later.time(13.02).perception()).acts.empty());
 }

@@ -1,5 +1,8 @@
 // Who lays trails, who senses them, and who follows them.
 #include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -26,7 +29,9 @@ testing::Situation senses(double left, double right) {
   return now;
 }
 
-double flow_of(const Response& response) {
+/// None: it commands nothing.
+std::optional<double> flow_of(const Response& response) {
+  if (response.acts.empty()) return std::nullopt;
   REQUIRE(response.acts.size() == 1);
   return static_cast<const PenCommand*>(response.acts[0].command())->flow;
 }
@@ -81,18 +86,29 @@ TEST_CASE("A trail is laid always, or from one event until another") {
     if (!event.empty()) now.event(event);
     return flow_of(between.respond(now));
   };
-  CHECK(after("") == 0.0);
-  CHECK(after("collision") == 0.0);
+  CHECK_FALSE(after(""));
+  CHECK_FALSE(after("collision"));
   CHECK(after("collected") == 1.0);
   CHECK(after("") == 1.0);
   CHECK(after("arrived") == 0.0);
-  CHECK(after("") == 0.0);
+  CHECK_FALSE(after(""));  // it has lifted the pen, and leaves it to others
   CHECK(after("collected") == 1.0);
   testing::Behavior once("lay_trail", {{"until", "arrived"}});
   CHECK(flow_of(once.respond(testing::Situation())) == 1.0);
   CHECK(flow_of(once.respond(testing::Situation().event("arrived"))) == 0.0);
   between.reset();
-  CHECK(after("") == 0.0);
+  CHECK_FALSE(after(""));
+}
+
+TEST_CASE("A trail is laid with the pen that it names") {
+  const auto pen = [](const testing::Settings& parameters) {
+    testing::Behavior lays("lay_trail", parameters);
+    const Response response = lays.respond(testing::Situation());
+    REQUIRE(response.acts.size() == 1);
+    return std::string(response.acts[0].actuator());
+  };
+  CHECK(pen({}).empty());  // the first
+  CHECK(pen({{"pen", "ink"}}) == "ink");
 }
 
 TEST_CASE("It turns to the side on which a field is stronger, by the contrast of the two sides") {
@@ -134,6 +150,26 @@ TEST_CASE("Several antennae count by how far their tips are to the side") {
   CHECK(turn(0, 0) == Approx(0.5));
   CHECK(turn(180, 0) == Approx(-0.5));  // looks back: its left is the robot's right
   CHECK(turn(0, 0.01) == Approx((3 * 0.04 - 0.02) / (3 * 0.04 + 0.02)));
+}
+
+TEST_CASE("It follows the antennae that it names, by default all") {
+  const auto turn = [](const std::string& antennae) {
+    testing::Situation now;
+    for (const auto& [id, values] : {std::pair("food", std::vector<double>{3.0, 1.0}),
+                                     std::pair("home", std::vector<double>{1.0, 7.0})}) {
+      AntennaeReading reading;
+      reading.values = values;
+      reading.first_m = 0.03;
+      reading.step_m = 0.06;
+      now.reading(reading, Mounting{}, id);
+    }
+    testing::Behavior follow("follow_gradient", {{"gain", 1.0}, {"antennae", antennae}});
+    return follow.respond(now).command.turn;
+  };
+  CHECK(turn("food") == Approx(0.5));
+  CHECK(turn("home") == Approx(-0.75));
+  CHECK(turn("") == Approx((4.0 - 8.0) / 12.0));
+  CHECK_THROWS_WITH(turn("nest"), Catch::Contains("no antennae with the id 'nest'"));
 }
 
 TEST_CASE("Antennae that cannot tell left from right are refused") {

@@ -374,8 +374,6 @@ TEST_CASE("check warns of what nobody hears, and of goals about any robot that n
       Catch::Contains("w.xml:3: warning: nobody hears the robot 'a': it is the only one with "
                       "a <radio>"));
   CHECK(warnings(robots(talker("a", "<radio/>") + talker("bb", "<radio/>"))).empty());
-  CHECK_THAT(warnings(robots(talker("a", "<radio delay=\"60\"/>") + talker("bb", "<radio/>"))),
-             Catch::Contains("its <radio> has a delay of 60 s, and the run ends after 60 s"));
   const std::string far = "<goals>\n<travel any=\"true\" distance=\"40\"/></goals>";
   const auto fast = [&](const std::string& second) {
     return robots("<robot id=\"a\" x=\"1\"/><robot id=\"b\" max_speed=\"" + second + "\"/>") + far;

@@ -331,3 +331,23 @@ TEST_CASE("A sensor of a new kind hears the nearest robot, and its reading reach
   CHECK(heard.heard);
   CHECK(heard.distance_m == Approx(0.3));
 }
+
+TEST_CASE("Sensors list what can be pushed or gripped, but not what stands") {
+  const auto nearest_m = [](world::ObstacleKind kind) {
+    BeaconReading heard;
+    ScriptedHost scripted([&](const Perception& now) {
+      heard = *now.readings<BeaconReading>()[0];
+      return Motion{};
+    });
+    scripted.host.add(
+        declare<Beacon>(PluginKind::sensor, "beacon", "For a test", produces<BeaconReading>()));
+    world::World world = one_robot();
+    world.robots[0].sensors.push_back(beam("b", 0));
+    world.robots[0].sensors[0].plugin = "beacon";
+    world.obstacles.push_back(box("b", kind, 0.4, 0));
+    Simulation(world, scripted.host).step();
+    return heard.distance_m;
+  };
+  CHECK(nearest_m(world::ObstacleKind::dynamic) == Approx(0.4).margin(1e-3));
+  CHECK(nearest_m(world::ObstacleKind::fixed) == 0.0);
+}

@@ -171,14 +171,6 @@ class Doubts {
       add(use.location, "nobody hears the robot '" + world_.robots[robot].id +
                             "': it is the only one with a <" + use.plugin + ">");
     }
-    const auto delay = use.parameters.find("delay");
-    if (delay != use.parameters.end() && std::holds_alternative<double>(delay->second) &&
-        std::get<double>(delay->second) >= world_.limits.time) {
-      add(use.location, "nobody hears the robot '" + world_.robots[robot].id + "': its <" +
-                            use.plugin + "> has a delay of " +
-                            number_text(std::get<double>(delay->second)) +
-                            " s, and the run ends after " + number_text(world_.limits.time) + " s");
-    }
   }
 
   /// Level beams and those that point upwards.

@@ -8,7 +8,8 @@ namespace elsie::world {
 
 Things::Things(const World& world) : world_(world), floor_(world) {
   for (std::size_t i = 0; i < world.obstacles.size(); ++i) {
-    if (world.obstacles[i].kind == ObstacleKind::resource) resources_.push_back(i);
+    const Obstacle& obstacle = world.obstacles[i];
+    if (obstacle.kind == ObstacleKind::resource || obstacle.is_dynamic()) near_.push_back(i);
   }
   for (const Charger& charger : world.chargers) {
     if (charger.seen_by_range_sensors) boxes_.push_back(&charger);
@@ -18,7 +19,10 @@ Things::Things(const World& world) : world_(world), floor_(world) {
   }
 }
 
-Thing Things::resource(const Obstacle& obstacle) const {
+Thing Things::obstacle(const Obstacle& obstacle) const {
+  if (obstacle.kind != ObstacleKind::resource) {
+    return {Thing::Kind::obstacle, obstacle.id, {}, box_colour(world_, obstacle, kSeenBoxes)};
+  }
   return {Thing::Kind::resource, obstacle.id, obstacle.team, resource_colour(world_, obstacle)};
 }
 
@@ -43,9 +47,7 @@ Thing Things::of(const Surface& surface) const {
   if (surface.index >= world_.obstacles.size()) {
     return charger(*boxes_[surface.index - world_.obstacles.size()]);
   }
-  const Obstacle& obstacle = world_.obstacles[surface.index];
-  if (obstacle.kind == ObstacleKind::resource) return resource(obstacle);
-  return {Thing::Kind::obstacle, obstacle.id, {}, box_colour(world_, obstacle, kSeenBoxes)};
+  return obstacle(world_.obstacles[surface.index]);
 }
 
 Thing Things::robot(std::size_t index) const {
@@ -68,10 +70,10 @@ void Things::within(const Pose& from, double radius_m,
       things.push_back({thing, {x, y}, far, bearing(from, x, y)});
     }
   };
-  for (const std::size_t i : resources_) {
-    const Obstacle& obstacle = world_.obstacles[i];
-    if (!obstacle.is_dynamic() && std::abs(obstacle.x - from.x) > radius_m) continue;
-    if (const auto place = place_of(i)) add(resource(obstacle), place->x, place->y);
+  for (const std::size_t i : near_) {
+    const Obstacle& each = world_.obstacles[i];
+    if (!each.is_dynamic() && std::abs(each.x - from.x) > radius_m) continue;
+    if (const auto place = place_of(i)) add(obstacle(each), place->x, place->y);
   }
   for (const Charger& each : world_.chargers) {
     add(charger(each), each.x, each.y);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include <elsie/api/behavior.h>
 #include <elsie/readings/antennae.h>
@@ -15,6 +16,7 @@ namespace {
 
 class FollowGradient final : public elsie::Behavior {
  public:
+  std::string antennae;
   double speed = 0.1;
   double gain = 5.0;
   double least = 0.1;
@@ -22,8 +24,11 @@ class FollowGradient final : public elsie::Behavior {
   bool down = false;
 
   void equipped(const elsie::Perception& example) override {
-    double widest = 0.0;
+    double widest = -1.0;
     for_each_tip(example, [&](double, double left) { widest = std::max(widest, std::abs(left)); });
+    if (widest < 0.0) {
+      throw std::invalid_argument("the robot has no antennae with the id '" + antennae + "'");
+    }
     if (!(widest > 0.0)) {
       throw std::invalid_argument(
           "all tips of its antennae are on the middle line of the robot, where it cannot tell left "
@@ -70,11 +75,12 @@ class FollowGradient final : public elsie::Behavior {
  private:
   /// Calls use(value, m to the left of the robot's middle line).
   template <class Use>
-  static void for_each_tip(const elsie::Perception& now, const Use& use) {
-    for (const auto& antennae : now.readings<elsie::AntennaeReading>()) {
-      const double across = std::cos(antennae.azimuth_rad());
-      for (std::size_t i = 0; i < antennae->values.size(); ++i) {
-        use(antennae->values[i], antennae.mounting().position.y + across * antennae->offset_m(i));
+  void for_each_tip(const elsie::Perception& now, const Use& use) const {
+    for (const auto& sensed : now.readings<elsie::AntennaeReading>()) {
+      if (!antennae.empty() && sensed.sensor() != antennae) continue;
+      const double across = std::cos(sensed.azimuth_rad());
+      for (std::size_t i = 0; i < sensed->values.size(); ++i) {
+        use(sensed->values[i], sensed.mounting().position.y + across * sensed->offset_m(i));
       }
     }
   }
@@ -85,6 +91,10 @@ class FollowGradient final : public elsie::Behavior {
 ELSIE_BEHAVIOR(
     FollowGradient, "follow_gradient", "Turns to where a field is stronger, or weaker",
     elsie::needs<elsie::AntennaeReading>(),
+    elsie::parameter("antennae", &FollowGradient::antennae,
+                     {.meaning = "the id of the antennae that it follows; by default all of the "
+                                 "robot, whatever their fields",
+                      .live = false}),
     elsie::parameter("speed", &FollowGradient::speed,
                      {.unit = "m/s", .min = 0, .max = 10, .meaning = "how fast, straight on"}),
     elsie::parameter("gain", &FollowGradient::gain,

@@ -17,11 +17,13 @@ class Say final : public elsie::Behavior, public elsie::Remembers {
   void reset(elsie::Random&) override {
     place_ = {};
     until_s_ = -1.0;
+    says_ = false;
   }
   void remember(elsie::Memory& memory) override {
     memory("x", place_.x);
     memory("y", place_.y);
     memory("until_s", until_s_);
+    memory("says", says_);
   }
 
   elsie::Response respond(const elsie::Perception& now) override {
@@ -35,8 +37,11 @@ class Say final : public elsie::Behavior, public elsie::Remembers {
     elsie::Response response;
     if (now.time_s() <= until_s_) {
       response.say(place_, to);
-    } else {
+      says_ = true;
+    } else if (says_) {
+      // Once: in other periods, another behaviour may speak.
       response.act(elsie::SayCommand{});  // silence
+      says_ = false;
     }
     return response;
   }
@@ -44,6 +49,7 @@ class Say final : public elsie::Behavior, public elsie::Remembers {
  private:
   elsie::PlaceMessage place_;
   double until_s_ = -1.0;
+  bool says_ = false;
 };
 
 }  // namespace

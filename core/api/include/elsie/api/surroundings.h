@@ -57,7 +57,7 @@ struct Thing {
   bool is_mark = false;   // a charger that is a mark on the floor, and no body
 };
 
-/// A resource, a charger or a robot near the carrier.
+/// A resource, a dynamic obstacle, a charger or a robot near the carrier.
 struct NearThing {
   Thing thing;
   Vector2 place;             // m, its middle
@@ -136,8 +136,9 @@ class Surroundings {
   /// carrier: a light may be nearer or farther by as much as it is away from the middle of its
   /// robot. In the order of the robots in the file, also lights that something hides.
   virtual void lights_within(double /*radius_m*/, std::vector<LampView>& /*lights*/) const {}
-  /// Appends the resources that are still there, the chargers and the other robots whose middles
-  /// are within the radius of the carrier, in this order, each kind in file order.
+  /// Appends the resources that are still there and the dynamic obstacles, the chargers and the
+  /// other robots whose middles are within the radius of the carrier, in this order, each in file
+  /// order.
   virtual void things_within(double radius_m, std::vector<NearThing>& things) const;
   /// The colours of the resources that the carrier may collect, as cameras see them in full light:
   /// each once, in file order. They do not change during a run.

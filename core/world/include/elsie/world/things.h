@@ -21,8 +21,8 @@ class Things {
   Thing of(const Surface& surface) const;
   std::span<const LampView> lamps() const { return lamps_; }
   Colour floor_colour(const Vector2& place) const { return floor_.colour_at(place); }
-  /// The resources and chargers of Surroundings::things_within(). `place_of`: where an obstacle is,
-  /// by its index; none: it is gone.
+  /// Surroundings::things_within(), except for robots. `place_of`: where an obstacle is, by its
+  /// index; none: it is gone.
   void within(const Pose& from, double radius_m,
               const std::function<std::optional<Vector2>(std::size_t)>& place_of,
               std::vector<NearThing>& things) const;
@@ -32,12 +32,12 @@ class Things {
 
  private:
   Thing robot(std::size_t index) const;
-  Thing resource(const Obstacle& obstacle) const;
+  Thing obstacle(const Obstacle& obstacle) const;
   Thing charger(const Charger& charger) const;
 
   const World& world_;
-  std::vector<std::size_t> resources_;  // indices of obstacles
-  std::vector<const Charger*> boxes_;   // chargers that are bodies
+  std::vector<std::size_t> near_;      // obstacles that within() gives
+  std::vector<const Charger*> boxes_;  // chargers that are bodies
   std::vector<LampView> lamps_;
   FloorMap floor_;
 };
