@@ -31,7 +31,7 @@ class Say final : public elsie::Behavior, public elsie::Remembers {
     if (event.empty() || std::any_of(events.begin(), events.end(), [&](const elsie::Event& each) {
           return each.name == event;
         })) {
-      place_ = {now.self().pose.x, now.self().pose.y};
+      place_ = {static_cast<float>(now.self().pose.x), static_cast<float>(now.self().pose.y)};
       until_s_ = now.time_s() + lasts;
     }
     elsie::Response response;

@@ -1,12 +1,12 @@
-// A place that robots tell each other.
+// A place that robots tell each other: 8 bytes, which also a range and bearing carries.
 #pragma once
 
 namespace elsie {
 
 struct PlaceMessage {
   static constexpr const char* kind = "place";
-  double x = 0.0;  // m, as the sender believes
-  double y = 0.0;  // m
+  float x = 0.0F;  // m, as the sender believes
+  float y = 0.0F;  // m
 
   template <class Visitor>
   void visit(Visitor&& visitor) const {
