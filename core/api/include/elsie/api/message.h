@@ -21,6 +21,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "elsie/api/geometry.h"
@@ -39,6 +40,8 @@ class AnyMessage {
         visit_([](const void* of, const FieldVisit& visit) {
           elsie::visit_fields(*static_cast<const Content*>(of), visit);
         }) {
+    static_assert(std::is_trivially_copyable_v<Content>,
+                  "a message is a plain struct: numbers, and arrays of a fixed length");
     if constexpr (kListsFields<Content>) {
       detail::ReadingCheck check;
       static_cast<const Content*>(content_.get())->visit(check);
