@@ -90,6 +90,24 @@ TEST_CASE("It lets go of what nobody helps it to carry, and leaves it alone for 
   CHECK(closes(at(11.0)));
 }
 
+TEST_CASE("It gives up what it comes no nearer to, and a hand that stays empty") {
+  Situation now;
+  const auto behavior = forager();
+  const auto at = [&](double time_s, double distance_m) {
+    return behavior->respond(now.reading(seen(distance_m, 0.0, kFood)).time(time_s).perception());
+  };
+  CHECK(at(0.0, 0.5).activation == 1.0);
+  CHECK(at(9.9, 0.46).activation == 1.0);
+  CHECK(at(10.0, 0.46).activation == 0.0);
+  CHECK(at(19.9, 0.46).activation == 0.0);
+  CHECK(at(20.0, 0.46).activation == 1.0);
+  CHECK(at(29.0, 0.3).activation == 1.0);
+  CHECK(at(38.9, 0.3).activation == 1.0);  // it has come nearer
+  CHECK(closes(at(38.95, 0.1)));
+  CHECK(closes(at(39.9, 0.1)));
+  CHECK_FALSE(closes(at(39.96, 0.1)));
+}
+
 TEST_CASE(
     "It drives to a place that it hears of while it sees nothing, and forgets it on arrival") {
   Situation now;

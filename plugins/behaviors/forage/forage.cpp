@@ -18,8 +18,12 @@
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kPause = 1.0;  // s
-constexpr double kArm = 0.15;   // m, to the middle of what it holds
+constexpr double kPause = 1.0;    // s, after it has opened the hand
+constexpr double kGrasp = 1.0;    // s, in which something comes into the closed hand, or never
+constexpr double kNearer = 0.05;  // m, which is progress
+constexpr double kThere = 0.4;    // m, from a place of which it was told
+constexpr double kDeaf = 30.0;    // s, after it has found nothing there
+constexpr double kArm = 0.15;     // m, to the middle of what it holds
 
 class Forage final : public elsie::Behavior, public elsie::Remembers {
  public:
@@ -28,7 +32,7 @@ class Forage final : public elsie::Behavior, public elsie::Remembers {
   double gain = 3.0;
   double grip_within = 0.12;
   double release_within = 0.7;
-  double patience = 30.0;
+  double patience = 10.0;
 
   void configured() override {
     unsigned rgb = 0;
@@ -52,35 +56,33 @@ class Forage final : public elsie::Behavior, public elsie::Remembers {
   }
   void reset(elsie::Random&) override {
     bearing_rad_ = distance_m_ = kNone;
-    waits_since_s_ = looks_from_s_ = -1.0;
+    aim_ = Aim::nothing;
+    acts_from_s_ = hears_from_s_ = -1.0;
     heard_x_.reset();
     heard_y_.reset();
   }
   void remember(elsie::Memory& memory) override {
-    memory("waits_since_s", waits_since_s_);
-    memory("looks_from_s", looks_from_s_);
+    memory("acts_from_s", acts_from_s_);
+    memory("hears_from_s", hears_from_s_);
     memory("heard_x", heard_x_);
     memory("heard_y", heard_y_);
   }
 
   elsie::Response respond(const elsie::Perception& now) override {
     bearing_rad_ = distance_m_ = kNone;
-    for (const auto& place : now.heard<elsie::PlaceMessage>()) {
-      heard_x_ = place->x;
-      heard_y_ = place->y;
-    }
-    bool closed = false;
-    if (!now.self().held.empty()) {
-      closed = !carry(now) && !gives_up(now);
-      // Whoever helped to carry it lets go, too.
-      if (!closed) looks_from_s_ = std::max(looks_from_s_, now.time_s() + kPause);
-    } else if (now.time_s() >= looks_from_s_) {
-      look(now);
-      closed = distance_m_ <= grip_within;
-      if (std::isnan(bearing_rad_)) go_where_called(now.self().pose);
+    hear(now);
+    Aim aim = Aim::nothing;
+    if (now.time_s() >= acts_from_s_) aim = now.self().held.empty() ? search(now) : carry(now);
+    if (is_in_vain(aim, now.time_s())) {
+      // Other behaviours bring it elsewhere.
+      aim = Aim::nothing;
+      bearing_rad_ = distance_m_ = kNone;
+      heard_x_.reset();
+      acts_from_s_ = now.time_s() + patience;
     }
     elsie::Response response;
-    response.act(elsie::GripCommand{closed});
+    response.act(elsie::GripCommand{aim == Aim::grip || aim == Aim::keep || aim == Aim::help ||
+                                    aim == Aim::nest});
     if (std::isnan(bearing_rad_)) {
       response.activation = response.strength = 0.0;
     } else {
@@ -99,33 +101,38 @@ class Forage final : public elsie::Behavior, public elsie::Remembers {
   double distance_m_ = kNone;
 
  private:
-  /// Whether it has held something for long enough that as many robots as it takes did not come. It
-  /// then leaves it alone for as long.
-  bool gives_up(const elsie::Perception& now) {
-    if (now.self().held.front().moves) {
-      waits_since_s_ = -1.0;
-      return false;
+  /// What it wants: help with what does not move, and the nest with what does.
+  enum class Aim { nothing, keep, resource, grip, place, help, nest };
+
+  /// Whether it has come no nearer to what it wants for too long: others are in the way, hold it,
+  /// or do not come to help.
+  bool is_in_vain(Aim aim, double time_s) {
+    if (aim != aim_ || distance_m_ < nearest_m_ - kNearer) {
+      aim_ = aim;
+      nearest_m_ = distance_m_;
+      since_s_ = time_s;
     }
-    if (waits_since_s_ < 0.0) waits_since_s_ = now.time_s();
-    if (now.time_s() - waits_since_s_ < patience) return false;
-    waits_since_s_ = -1.0;
-    looks_from_s_ = now.time_s() + patience;
-    return true;
+    const bool wants = aim != Aim::nothing && aim != Aim::keep;
+    return wants && time_s - since_s_ >= (aim == Aim::grip ? kGrasp : patience);
   }
 
-  /// Heads for the nest. Returns whether it is there.
-  bool carry(const elsie::Perception& now) {
+  /// Heads for the nest, and opens the hand there.
+  Aim carry(const elsie::Perception& now) {
     const auto& nest = now.team().nest;
-    if (!nest) return false;
+    if (!nest) return Aim::keep;
     const elsie::Pose& here = now.self().pose;
     bearing_rad_ = elsie::bearing(here, nest->place.x, nest->place.y);
     distance_m_ = std::hypot(nest->place.x - here.x, nest->place.y - here.y);
-    const bool is_stuck = !now.self().held.front().moves;
-    return distance_m_ <= (is_stuck ? nest->radius_m + kArm : release_within * nest->radius_m);
+    const bool moves = now.self().held.front().moves;
+    if (distance_m_ > (moves ? release_within * nest->radius_m : nest->radius_m + kArm)) {
+      return moves ? Aim::nest : Aim::help;
+    }
+    acts_from_s_ = now.time_s() + kPause;  // whoever helped to carry it lets go, too
+    return Aim::nothing;
   }
 
-  /// Heads for the nearest resource.
-  void look(const elsie::Perception& now) {
+  /// Heads for the nearest resource or, without one, for the place of which it was told.
+  Aim search(const elsie::Perception& now) {
     for (const auto& view : now.readings<elsie::OmnidirectionalReading>()) {
       for (const auto& blob : view->blobs) {
         if (blob.colour() != wanted_ || distance_m_ <= blob.distance_m) continue;
@@ -133,22 +140,39 @@ class Forage final : public elsie::Behavior, public elsie::Remembers {
         bearing_rad_ = elsie::wrap_angle(view.azimuth_rad() + blob.bearing_rad);
       }
     }
+    if (!std::isnan(bearing_rad_)) {
+      heard_x_.reset();
+      return distance_m_ <= grip_within ? Aim::grip : Aim::resource;
+    }
+    if (!heard_x_ || !heard_y_) return Aim::nothing;
+    const elsie::Pose& here = now.self().pose;
+    const double away = std::hypot(*heard_x_ - here.x, *heard_y_ - here.y);
+    if (away < kThere) {
+      heard_x_.reset();
+      hears_from_s_ = now.time_s() + kDeaf;
+      return Aim::nothing;
+    }
+    distance_m_ = away;
+    bearing_rad_ = elsie::bearing(here, *heard_x_, *heard_y_);
+    return Aim::place;
   }
 
-  /// Heads for the place that it heard of last. Forgets it on arrival, if nothing is there.
-  void go_where_called(const elsie::Pose& here) {
-    constexpr double kThere = 0.2;  // m
-    if (!heard_x_ || !heard_y_) return;
-    distance_m_ = std::hypot(*heard_x_ - here.x, *heard_y_ - here.y);
-    bearing_rad_ = elsie::bearing(here, *heard_x_, *heard_y_);
-    if (distance_m_ < kThere) heard_x_.reset();
+  /// Notes a place of which it is told, unless it is on its way to one.
+  void hear(const elsie::Perception& now) {
+    for (const auto& place : now.heard<elsie::PlaceMessage>()) {
+      if (heard_x_ || now.time_s() < hears_from_s_) return;
+      heard_x_ = place->x;
+      heard_y_ = place->y;
+    }
   }
 
   elsie::Colour wanted_;
-  std::optional<double> heard_x_, heard_y_;  // m, the place that it heard of last
+  std::optional<double> heard_x_, heard_y_;  // m, the place to which it was told to go
   bool has_nest_ = true;
-  double waits_since_s_ = -1.0;  // for others to help it; below 0: it does not wait
-  double looks_from_s_ = -1.0;   // when it looks for resources again
+  Aim aim_ = Aim::nothing;
+  double nearest_m_ = 0.0, since_s_ = 0.0;  // how near it came to that, and when
+  double acts_from_s_ = -1.0;               // when it wants something again
+  double hears_from_s_ = -1.0;              // when it believes others again
 };
 
 }  // namespace
@@ -176,12 +200,13 @@ ELSIE_BEHAVIOR(
                       .max = 1,
                       .meaning = "it opens the gripper so near to the middle of the nest, as a "
                                  "fraction of its radius"}),
-    elsie::parameter("patience", &Forage::patience,
-                     {.unit = "s",
-                      .min = 0,
-                      .max = 1e9,
-                      .meaning = "how long it holds what needs more hands than are there; for as "
-                                 "long it looks for nothing then"}),
+    elsie::parameter(
+        "patience", &Forage::patience,
+        {.unit = "s",
+         .min = 0,
+         .max = 1e9,
+         .meaning = "how long it goes on without coming nearer to what it wants, or holds "
+                    "what needs more hands; for as long it wants nothing then"}),
     elsie::publishes("bearing", &Forage::bearing_rad_,
                      {.unit = "rad",
                       .meaning = "of what it drives to, to the left; none: it wants nothing"}),
