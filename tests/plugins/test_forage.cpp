@@ -91,10 +91,11 @@ TEST_CASE("It lets go of what nobody helps it to carry, and leaves it alone for 
 }
 
 TEST_CASE("It gives up what it comes no nearer to, and a hand that stays empty") {
-  Situation now;
   const auto behavior = forager();
   const auto at = [&](double time_s, double distance_m) {
-    return behavior->respond(now.reading(seen(distance_m, 0.0, kFood)).time(time_s).perception());
+    Situation now;
+    now.reading(seen(distance_m, 0.0, kFood)).time(time_s);
+    return behavior->respond(now.perception());
   };
   CHECK(at(0.0, 0.5).activation == 1.0);
   CHECK(at(9.9, 0.46).activation == 1.0);
