@@ -343,7 +343,7 @@ TEST_CASE("A rule that makes the world again and again works, and a note says wh
   const auto law = [](int steps) {
     return ruled_by([=](const Observation& now, WorldChanges& world) {
       if (now.time_s < 0.01 * steps - 0.005)
-        world.set("obstacle[wall]/@x", -2.0 + 0.5 * now.time_s);
+        world.set("obstacle[wall]/@x", -1.9 + 0.5 * now.time_s);
     });
   };
   const auto notes = [](const simulation::RunResult& result) {
