@@ -161,7 +161,7 @@ TEST_CASE("The trace of a world has the commands that its actuators carry out") 
   const std::size_t closed = column("r1.hand.closed"), bytes = column("r1.voice.bytes");
   CHECK(trace.rows.front().values[closed] == 0.0);
   CHECK(trace.rows.back().values[closed] == 1.0);
-  CHECK(trace.rows.back().values[bytes] == 16.0);
+  CHECK(trace.rows.back().values[bytes] == 8.0);
   const File file(write_trace(trace));
   CHECK(compare_with_golden(trace, file.path));
   Trace other = trace;

@@ -139,17 +139,18 @@ class Doubts {
   /// What is to be carried.
   void check_cargo(const world::Obstacle& thing) {
     const bool is_resource = thing.kind == world::ObstacleKind::resource;
+    const std::string what = is_resource ? "the resource '" + thing.id + "'" : thing.in_words();
     if (is_resource && !thing.to_nest && thing.hands > 1) {
-      add(thing.location, thing.in_words() + " has hands=\"" + std::to_string(thing.hands) +
+      add(thing.location, what + " has hands=\"" + std::to_string(thing.hands) +
                               "\", which counts only with collect=\"nest\"");
     }
     if (!world_.edits.empty() || !world_.rules.empty()) return;
     if (is_resource && thing.to_nest && world_.nests.empty()) {
       add(thing.location,
-          thing.in_words() + " is to be carried to a nest, and the world has none; add a <nest>");
+          what + " is to be carried to a nest, and the world has none; add a <nest>");
     }
     if (thing.is_dynamic() && static_cast<std::size_t>(thing.hands) > world_.robots.size()) {
-      add(thing.location, thing.in_words() + " takes " + std::to_string(thing.hands) +
+      add(thing.location, what + " takes " + std::to_string(thing.hands) +
                               " hands, and the world has " +
                               base::counted(world_.robots.size(), "robot"));
     }

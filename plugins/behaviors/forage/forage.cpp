@@ -62,6 +62,11 @@ class Forage final : public elsie::Behavior, public elsie::Remembers {
     heard_y_.reset();
   }
   void remember(elsie::Memory& memory) override {
+    int aim = static_cast<int>(aim_);
+    memory("aim", aim);
+    aim_ = static_cast<Aim>(aim);
+    memory("nearest_m", nearest_m_);
+    memory("since_s", since_s_);
     memory("acts_from_s", acts_from_s_);
     memory("hears_from_s", hears_from_s_);
     memory("heard_x", heard_x_);
