@@ -348,7 +348,7 @@ TEST_CASE("The page on actuators quotes what elsie new makes") {
 }
 
 TEST_CASE("The measures that pages show are in order in a world that has what they name") {
-  const std::string robots = R"(<robots>
+  const std::string robots = R"(<fields><field id="pheromone"/></fields><robots>
       <robot id="r1"><behaviors><avoid_obstacle/><wander/></behaviors>
         <sensors><beam_range/></sensors>
         <coordinator><arbiter_suppression/></coordinator></robot>
