@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "elsie/api/behavior.h"
+#include "elsie/api/rule.h"
 #include "elsie/api/sensor.h"
 #include "elsie/plugin/declaration_check.h"
 
@@ -338,6 +339,36 @@ TEST_CASE("A field is named by a text that does not change while the world runs"
   const auto measures = faults(false, "field", PluginKind::measure);
   REQUIRE(measures.size() == 1);
   CHECK_THAT(measures[0], Contains("only sensors and actuators use fields"));
+}
+
+TEST_CASE("An event is named by a text, also by one of a nested element") {
+  struct Whistle {
+    std::string name;
+    int count = 1;
+  };
+  class Judge final : public Rule {
+   public:
+    std::string event;
+    std::vector<Whistle> whistles;
+    void apply(const Observation&, WorldChanges&) override {}
+  };
+  const auto faults = [](const char* named) {
+    return check_declaration(declare<Judge>(
+        PluginKind::rule, "judge", "Judges", names_event(named), parameter("event", &Judge::event),
+        elements(&Judge::whistles,
+                 element<Whistle>("whistle", "when", parameter("name", &Whistle::name),
+                                  parameter("count", &Whistle::count)))));
+  };
+  CHECK(faults("event").empty());
+  CHECK(faults("whistle/name").empty());
+  for (const char* wrong : {"name", "whistle", "whistle/count", "flute/name"}) {
+    REQUIRE(faults(wrong).size() == 1);
+    CHECK_THAT(faults(wrong)[0], Contains("needs a text parameter of that name"));
+  }
+  Declaration smelling = sensor();
+  smelling.event_parameters = {"smell"};
+  REQUIRE(check_declaration(smelling).size() == 2);
+  CHECK_THAT(check_declaration(smelling)[1], Contains("only behaviors, coordinators and rules"));
 }
 
 TEST_CASE("One library must not declare a plugin twice") {

@@ -34,6 +34,7 @@ class Checker {
       check_parameter(parameter);
     }
     check_field_parameters();
+    check_event_parameters();
     check_elements();
     check_readings();
     for (const EventDeclaration& event : declaration_.events) {
@@ -183,6 +184,25 @@ class Checker {
     if (!declaration_.field_parameters.empty() && declaration_.kind != PluginKind::sensor &&
         declaration_.kind != PluginKind::actuator) {
       fault("only sensors and actuators use fields, so it names none");
+    }
+  }
+
+  void check_event_parameters() {
+    for (const std::string& path : declaration_.event_parameters) {
+      const std::size_t slash = path.find('/');
+      const auto* const element = find_declared(declaration_.elements, path.substr(0, slash));
+      const auto* const parameter =
+          slash == std::string::npos ? find_declared(declaration_.parameters, path)
+          : element                  ? find_declared(element->parameters, path.substr(slash + 1))
+                                     : nullptr;
+      if (!parameter || parameter->type != ParameterType::text) {
+        fault("names_event(\"" + path + "\") needs a text parameter of that name");
+      }
+    }
+    const PluginKind kind = declaration_.kind;
+    if (!declaration_.event_parameters.empty() && kind != PluginKind::behavior &&
+        kind != PluginKind::coordinator && kind != PluginKind::rule) {
+      fault("only behaviors, coordinators and rules perceive events, so it names none");
     }
   }
 

@@ -20,6 +20,7 @@
 #include "elsie/world/parts.h"
 
 #include "reading.h"
+#include "refusals.h"
 
 namespace elsie::world {
 
@@ -137,14 +138,10 @@ class CoordinationCheck {
       check_need(use, {PluginKind::actuator, &Declaration::takes, robot_.actuators}, need);
     }
     for (const std::string& event : declaration->reacts_to) {
-      if (std::find(raised_.begin(), raised_.end(), event) == raised_.end()) {
-        problems_.add(use.location, "'" + use.plugin + "' reacts to the event '" + event +
-                                        "', which neither the simulator nor a rule nor a "
-                                        "behaviour of " +
-                                        in_words(robot_) + " raises" +
-                                        base::near_or_all(event, raised_, "there are"));
-      }
+      require_event("'" + use.plugin + "' reacts to the event", event, raised_, in_words(robot_),
+                    use.location, problems_);
     }
+    check_named_events(use, *declaration, raised_, in_words(robot_), problems_);
   }
 
   // What behaviours need of sensors or of actuators.
@@ -373,6 +370,7 @@ void check_world(const Reading& reading, const Element& root, const plugin::Host
     check_goals(reading, host, problems);
     check_places(reading, is_running, problems);
   }
+  check_rules(reading, host, problems);
   const Element* const fields = root.child("fields");
   if (is_sound("arena")) check_fields(reading, host, fields && !fields->unread, problems);
 }

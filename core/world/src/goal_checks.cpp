@@ -1,4 +1,4 @@
-// Checks the goals of a world, and names the events that they may wait for.
+// Checks the goals of a world.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -6,8 +6,6 @@
 #include <variant>
 #include <vector>
 
-#include "elsie/api/simulator_events.h"
-#include "elsie/base/near_name.h"
 #include "elsie/base/number_text.h"
 #include "elsie/plugin/host.h"
 
@@ -95,16 +93,11 @@ struct GoalCheck {
       is_anyones = true;
     }
     if (!is_anyones) return;  // there is no such robot
-    if (std::find(raised.begin(), raised.end(), goal.name) != raised.end()) return;
-    std::sort(raised.begin(), raised.end());
-    raised.erase(std::unique(raised.begin(), raised.end()), raised.end());
-    problems.add(goal.location,
-                 "<event> waits for '" + goal.name +
-                     "', which neither the simulator nor a rule nor a behaviour of " +
-                     (!goal.robot.empty()  ? "the robot '" + goal.robot + "'"
-                      : !goal.team.empty() ? "the team '" + goal.team + "'"
-                                           : "this world") +
-                     " raises" + base::near_or_all(goal.name, raised, "there are"));
+    require_event("<event> waits for", goal.name, raised,
+                  !goal.robot.empty()  ? "the robot '" + goal.robot + "'"
+                  : !goal.team.empty() ? "the team '" + goal.team + "'"
+                                       : "this world",
+                  goal.location, problems);
   }
   void operator()(const DeliverGoal& goal) const {
     const bool has_nest =
@@ -171,38 +164,6 @@ struct GoalCheck {
 };
 
 }  // namespace
-
-namespace {
-
-void list_events(PluginKind kind, const PluginUse& use, const plugin::Host& host,
-                 std::vector<std::string>& raised) {
-  if (const Declaration* declaration = host.find(kind, use.plugin)) {
-    for (const EventDeclaration& event : declaration->events) raised.push_back(event.name);
-  }
-}
-
-}  // namespace
-
-void list_events(const std::vector<PluginUse>& rules, const plugin::Host& host,
-                 std::vector<std::string>& raised) {
-  for (const PluginUse& rule : rules) list_events(PluginKind::rule, rule, host, raised);
-}
-
-void list_events(const Coordination& coordination, const plugin::Host& host,
-                 std::vector<std::string>& raised) {
-  for (const BehaviorUse& use : coordination.behaviors) {
-    list_events(PluginKind::behavior, use, host, raised);
-    for (const Coordination& inside : use.inside) list_events(inside, host, raised);
-  }
-}
-
-std::vector<std::string> simulator_events() {
-  std::vector<std::string> names;
-  for (const events::Facts& event : events::of_simulator()) {
-    if (event.is_perceived) names.emplace_back(event.name);
-  }
-  return names;
-}
 
 void check_goals(const Reading& reading, const plugin::Host& host, Problems& problems) {
   GoalCheck{reading, host, problems}.check(reading.world.goals);

@@ -83,6 +83,18 @@ void list_events(const std::vector<PluginUse>& rules, const plugin::Host& host,
 void list_events(const Coordination& coordination, const plugin::Host& host,
                  std::vector<std::string>& raised);
 
+/// Adds a problem if an event is not among `raised`. `what` comes before its name, `whose` are the
+/// behaviours: "the robot 'r1'".
+void require_event(const std::string& what, const std::string& event,
+                   std::vector<std::string> raised, const std::string& whose,
+                   const Location& where, Problems& problems);
+/// Checks the parameters of a plugin that name events; see names_event().
+void check_named_events(const PluginUse& use, const Declaration& declaration,
+                        const std::vector<std::string>& raised, const std::string& whose,
+                        Problems& problems);
+/// The part of check_world() about the events that rules name.
+void check_rules(const Reading& reading, const plugin::Host& host, Problems& problems);
+
 /// The part of check_world() about goals.
 void check_goals(const Reading& reading, const plugin::Host& host, Problems& problems);
 

@@ -44,7 +44,8 @@ class LayTrail final : public elsie::Behavior, public elsie::Remembers {
 }  // namespace
 
 ELSIE_BEHAVIOR(LayTrail, "lay_trail", "Lays a trail with a pen", elsie::only_acts(),
-               elsie::commands<elsie::PenCommand>(),
+               elsie::commands<elsie::PenCommand>(), elsie::names_event("from"),
+               elsie::names_event("until"),
                elsie::parameter("pen", &LayTrail::pen,
                                 {.meaning = "the id of the pen; by default the robot's first"}),
                elsie::parameter("flow", &LayTrail::flow,

@@ -56,7 +56,7 @@ class Say final : public elsie::Behavior, public elsie::Remembers {
 
 ELSIE_BEHAVIOR(
     Say, "say", "Tells other robots where it was when an event happened", elsie::only_acts(),
-    elsie::commands<elsie::SayCommand>(),
+    elsie::commands<elsie::SayCommand>(), elsie::names_event("event"),
     elsie::parameter("event", &Say::event,
                      {.meaning = "of the robot: its own behaviours' or the simulator's; without "
                                  "one it always tells where it is"}),

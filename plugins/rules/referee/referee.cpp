@@ -117,6 +117,7 @@ class Referee final : public elsie::Rule {
 
 ELSIE_RULE(
     Referee, "referee", "Ends the run when one of several things has happened",
+    elsie::names_event("event/name"),
     elsie::parameter("outcome", &Referee::outcome,
                      {.choices = {"success", "failure"}, .meaning = "how the run then ends"}),
     elsie::parameter("robot", &Referee::robot,

@@ -139,6 +139,7 @@ struct Declaration {
   bool hears_messages = false;               // actuators: see hears_messages()
   bool only_acts = false;                    // behaviours: see only_acts()
   std::vector<std::string> field_parameters;  // see names_field()
+  std::vector<std::string> event_parameters;  // see names_event()
   std::vector<EventDeclaration> events;       // the events that it may raise
   std::vector<std::string> reacts_to;         // names of events
   std::vector<PublishedNumber> published;     // in the order of the declaration
@@ -294,6 +295,13 @@ inline auto reacts_to(std::string_view event) {
 /// it has none of that name. The parameter must not be live.
 inline auto names_field(std::string_view parameter) {
   return [=](Declaration& declaration) { declaration.field_parameters.emplace_back(parameter); };
+}
+
+/// A text parameter of a behaviour, a coordinator or a rule that names an event, or the parameter of
+/// a nested element: names_event("event/name"). A world is refused if nothing in it raises that: for
+/// behaviours and coordinators the simulator, a rule or a behaviour of the robot. Empty: none.
+inline auto names_event(std::string_view parameter) {
+  return [=](Declaration& declaration) { declaration.event_parameters.emplace_back(parameter); };
 }
 
 /// The plugin's own version; the default is "1.0".
