@@ -382,6 +382,25 @@ TEST_CASE("check warns of what nobody hears, and of goals about any robot that n
   CHECK(warnings(fast("1")).empty());
 }
 
+TEST_CASE("check refuses events that nothing raises, wherever a shipped plugin names one") {
+  Workplace here;
+  const auto refusal = [&](const std::string& behaviors, const std::string& rules) {
+    here.write("w.xml",
+               "<world format=\"1\"><fields><field id=\"pheromone\"/></fields><robots>"
+               "<robot id=\"r1\"><actuators><radio/><pen/></actuators><behaviors>" +
+                   behaviors + "</behaviors></robot></robots><rules>" + rules + "</rules></world>");
+    return here.elsie("check w.xml").err;
+  };
+  const std::string meant = "did you mean 'collision'?";
+  CHECK_THAT(refusal("<say event=\"colision\"/>", ""), Catch::Contains(meant));
+  CHECK_THAT(refusal("<lay_trail from=\"colision\"/>", ""), Catch::Contains(meant));
+  CHECK_THAT(refusal("<lay_trail until=\"colision\"/>", ""), Catch::Contains(meant));
+  CHECK_THAT(refusal("", "<referee><event name=\"colision\"/></referee>"), Catch::Contains(meant));
+  CHECK_THAT(refusal("<say event=\"collision\"/><lay_trail until=\"collision\"/>",
+                     "<referee><event name=\"collision\"/></referee>"),
+             !Catch::Contains("raises"));
+}
+
 TEST_CASE("A number with its unit is refused with the unit to leave out") {
   Workplace here;
   const auto refusal = [&](const std::string& speed) {
