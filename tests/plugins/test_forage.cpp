@@ -62,7 +62,7 @@ TEST_CASE("It carries what it holds to the nest, and opens the gripper there") {
   CHECK_FALSE(closes(behavior->respond(now.perception())));
   SECTION("without a nest it keeps it") {
     now.team.nest.reset();
-    const Response response = behavior->respond(now.perception());
+    const Response response = forager()->respond(now.perception());
     CHECK(closes(response));
     CHECK(response.activation == 0.0);
   }

@@ -293,6 +293,18 @@ TEST_CASE("Noise and failures of an actuator change what it is told") {
       Catch::Contains("names no number of its command") && Catch::Contains("brightness"));
 }
 
+TEST_CASE("An omnidirectional camera sees what range sensors do not see") {
+  simulation::Simulation simulation = simulated(R"(<world format="1">
+    <resources><resource x="1" seen_by_range_sensors="false"/></resources>
+    <robots><robot id="watcher"><sensors><omnidirectional_camera/></sensors></robot></robots>
+  </world>)");
+  simulation.step();
+  const auto& seen =
+      *static_cast<const OmnidirectionalReading*>(simulation.sensor(0, 0).sensor->reading());
+  REQUIRE(seen.blobs.size() == 1);
+  CHECK(seen.blobs[0].distance_m == Approx(1.0 - 0.04));
+}
+
 TEST_CASE("Other robots see a light from the next control period on") {
   simulation::Simulation simulation = simulated(R"(<world format="1"><robots>
     <robot id="signaller"><actuators><led intensity="0.2"/></actuators>

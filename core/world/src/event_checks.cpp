@@ -91,7 +91,8 @@ void check_rules(const Reading& reading, const plugin::Host& host, Problems& pro
       continue;
     }
     if (raised.empty()) {
-      raised = simulator_events();
+      // A rule sees also those that robots do not perceive.
+      for (const events::Facts& event : events::of_simulator()) raised.emplace_back(event.name);
       list_events(world.rules, host, raised);
       for (const Robot& robot : world.robots) list_events(robot, host, raised);
     }

@@ -1,5 +1,6 @@
 // Tells other robots where something has happened.
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 
 #include <elsie/api/behavior.h>
@@ -14,6 +15,11 @@ class Say final : public elsie::Behavior, public elsie::Remembers {
   double lasts = 5.0;
   std::string to;
 
+  void equipped(const elsie::Perception& example) override {
+    if (!to.empty() && to == example.self().id) {
+      throw std::invalid_argument("it speaks to its own robot '" + to + "'; expected another one");
+    }
+  }
   void reset(elsie::Random&) override {
     place_ = {};
     until_s_ = -1.0;

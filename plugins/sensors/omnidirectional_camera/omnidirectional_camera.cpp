@@ -67,10 +67,12 @@ class OmnidirectionalCamera final : public elsie::SensorOf<elsie::Omnidirectiona
     return std::hypot(now.frame.origin.x - robot.x, now.frame.origin.y - robot.y);
   }
 
-  /// Whether the first surface on the way to the thing's middle is the thing's own. A thing lower
-  /// than the camera is looked for below the horizon.
+  /// Whether the first surface on the way to the thing's middle is the thing's own, or there is
+  /// none, as range sensors need not see it. A thing lower than the camera is looked for below the
+  /// horizon.
   bool sees(const elsie::Thing& thing, const elsie::Vector3& place,
             const elsie::SensorContext& now) const {
+    elsie::Surface surface;
     for (const double height : {place.z, 0.5 * place.z, 0.1 * place.z}) {
       const elsie::Vector3 way = elsie::Vector3{place.x, place.y, height} - now.frame.origin;
       const double far = std::sqrt(elsie::dot(way, way));
@@ -79,12 +81,12 @@ class OmnidirectionalCamera final : public elsie::SensorOf<elsie::Omnidirectiona
       along.origin = now.frame.origin;
       along.forward = (1.0 / far) * way;
       elsie::RayQuery query{&along, far};
-      elsie::Surface surface;
+      surface = {};
       now.world->cast_rays({}, {&query, 1}, {&surface, 1});
       const elsie::Thing found = now.world->thing(surface);
       if (found.kind == thing.kind && found.id == thing.id) return true;
     }
-    return false;
+    return surface.kind == elsie::Surface::Kind::nothing;
   }
 
   void add(const elsie::Vector3& place, const elsie::Colour& colour,
