@@ -10,6 +10,7 @@
 #include "elsie/api/actuator.h"
 #include "elsie/commands/led.h"
 #include "elsie/readings/light.h"
+#include "elsie/readings/omnidirectional_camera.h"
 #include "elsie/simulation/fault.h"
 #include "elsie/simulation/simulation.h"
 
