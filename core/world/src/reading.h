@@ -86,8 +86,8 @@ void list_events(const Coordination& coordination, const plugin::Host& host,
 /// Adds a problem if an event is not among `raised`. `what` comes before its name, `whose` are the
 /// behaviours: "the robot 'r1'".
 void require_event(const std::string& what, const std::string& event,
-                   std::vector<std::string> raised, const std::string& whose,
-                   const Location& where, Problems& problems);
+                   std::vector<std::string> raised, const std::string& whose, const Location& where,
+                   Problems& problems);
 /// Checks the parameters of a plugin that name events; see names_event().
 void check_named_events(const PluginUse& use, const Declaration& declaration,
                         const std::vector<std::string>& raised, const std::string& whose,

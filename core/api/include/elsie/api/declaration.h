@@ -297,9 +297,9 @@ inline auto names_field(std::string_view parameter) {
   return [=](Declaration& declaration) { declaration.field_parameters.emplace_back(parameter); };
 }
 
-/// A text parameter of a behaviour, a coordinator or a rule that names an event, or the parameter of
-/// a nested element: names_event("event/name"). A world is refused if nothing in it raises that: for
-/// behaviours and coordinators the simulator, a rule or a behaviour of the robot. Empty: none.
+/// A text parameter of a behaviour, a coordinator or a rule that names an event, or the parameter
+/// of a nested element: names_event("event/name"). A world is refused if nothing in it raises that:
+/// for behaviours and coordinators the simulator, a rule or a behaviour of the robot. Empty: none.
 inline auto names_event(std::string_view parameter) {
   return [=](Declaration& declaration) { declaration.event_parameters.emplace_back(parameter); };
 }
