@@ -101,10 +101,15 @@ TEST_CASE("All that the vocabulary has in a scatter can be scattered") {
   CHECK(members > 10);
 }
 
-TEST_CASE("Nests are scattered within their region, and may overlap") {
-  const world::World world =
-      drawn(scattered("count='20'", "<nest radius='0.4'/><in_disc radius='1'/>"), 3);
-  REQUIRE(world.nests.size() == 20);
-  for (const world::Nest& nest : world.nests) CHECK(std::hypot(nest.x, nest.y) <= 1.0 + 1e-4);
+TEST_CASE("Nests are scattered within their region, and on a grid keep apart") {
+  const world::World world = drawn(
+      scattered(
+          "count='4'",
+          "<nest radius='0.2'/><on_grid columns='2' rows='2' length='2' width='2' jitter='0.5'/>"),
+      3);
+  REQUIRE(world.nests.size() == 4);
+  for (const world::Nest& nest : world.nests) {
+    CHECK(std::max(std::abs(nest.x), std::abs(nest.y)) <= 1.0 + 1e-4);
+  }
   CHECK(world.nests[0].x != world.nests[1].x);
 }
