@@ -21,7 +21,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPause = 1.0;    // s, after it has opened the hand
 constexpr double kGrasp = 1.0;    // s, in which something comes into the closed hand, or never
 constexpr double kNearer = 0.05;  // m, which is progress
-constexpr double kThere = 0.4;    // m, from a place of which it was told
+constexpr double kThere = 0.4;    // m, from the place that it heard of
 constexpr double kDeaf = 30.0;    // s, after it has found nothing there
 constexpr double kArm = 0.15;     // m, to the middle of what it holds
 
@@ -136,7 +136,7 @@ class Forage final : public elsie::Behavior, public elsie::Remembers {
     return Aim::nothing;
   }
 
-  /// Heads for the nearest resource or, without one, for the place of which it was told.
+  /// Heads for the nearest resource or, without one, for the place that it heard of.
   Aim search(const elsie::Perception& now) {
     for (const auto& view : now.readings<elsie::OmnidirectionalReading>()) {
       for (const auto& blob : view->blobs) {
@@ -162,7 +162,7 @@ class Forage final : public elsie::Behavior, public elsie::Remembers {
     return Aim::place;
   }
 
-  /// Notes a place of which it is told, unless it is on its way to one.
+  /// Notes a place that it hears of, unless it is on its way to one.
   void hear(const elsie::Perception& now) {
     for (const auto& place : now.heard<elsie::PlaceMessage>()) {
       if (heard_x_ || now.time_s() < hears_from_s_) return;
@@ -172,7 +172,7 @@ class Forage final : public elsie::Behavior, public elsie::Remembers {
   }
 
   elsie::Colour wanted_;
-  std::optional<double> heard_x_, heard_y_;  // m, the place to which it was told to go
+  std::optional<double> heard_x_, heard_y_;  // m, the place that it heard of
   bool has_nest_ = true;
   Aim aim_ = Aim::nothing;
   double nearest_m_ = 0.0, since_s_ = 0.0;  // how near it came to that, and when
