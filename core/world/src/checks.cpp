@@ -289,8 +289,9 @@ void check_robot(const Reading& reading, std::size_t index, const plugin::Host& 
   }
   if (robot.drive) check_latency(*robot.drive, "command", reading, problems);
   if (reading.sound_with_segments(robot)) check_segments(robot, problems);
-  if (!reading.incomplete_robots.contains(index))
+  if (!reading.incomplete_robots.contains(index)) {
     CoordinationCheck(robot, host, problems).check(reading.world.rules);
+  }
 }
 
 void check_edits(const World& world, Problems& problems) {
