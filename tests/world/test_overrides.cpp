@@ -157,6 +157,8 @@ TEST_CASE("A path that is none is refused in words") {
   CHECK(wrong("robot[r1/@x=3") ==
         "--set robot[r1/@x=3: expected an id, a number, * or ATTRIBUTE=VALUE in brackets after "
         "'robot', which are not closed by a ]");
+  CHECK(wrong("robot[r1][2]/@x=3") ==
+        "--set robot[r1][2]/@x=3: 'robot' has more than one pair of brackets; expected one");
   CHECK(wrong("robot[]/@x=3") ==
         "--set robot[]/@x=3: expected an id, a number, * or ATTRIBUTE=VALUE in brackets after "
         "'robot'");

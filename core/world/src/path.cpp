@@ -384,7 +384,8 @@ Path parse_path(std::string_view text) {
     path.steps.push_back(std::move(step));
     if (text.empty()) return path;
     if (text.starts_with('[')) {
-      refuse_path("'" + step.name + "' has more than one pair of brackets; expected one");
+      refuse_path("'" + path.steps.back().name +
+                  "' has more than one pair of brackets; expected one");
     }
     if (!text.starts_with('/')) refuse_path("expected \"/\" before '" + std::string(text) + "'");
     text.remove_prefix(1);

@@ -299,7 +299,7 @@ class Robot final : private RobotRequests {
                   const Transmission& how) override;
     Effects& effects() { return *this; }
     /// Forgets its command, and those that are late.
-    void forget();
+    void forget() override;
 
     /// An amount for a field, by its index.
     struct Deposit {

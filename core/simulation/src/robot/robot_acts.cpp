@@ -177,14 +177,16 @@ double Robot::loudest_m() const {
   for (const auto& slot : actuators_) {
     if (slot->sounding.empty()) continue;
     const double reach = reach_of(*slot->place);
-    for (const ActuatorSlot::Sent& sent : slot->sounding)
+    for (const ActuatorSlot::Sent& sent : slot->sounding) {
       loudest = std::max(loudest, sent.how.range_m + reach);
+    }
   }
   return loudest;
 }
 
 void Robot::listen(const RobotSurroundings& surroundings, double loudest_m, const Instant& now) {
   std::vector<Overheard> all;
+  all.reserve(heard_.size());
   for (const auto& slot : actuators_) {
     if (empty_ || !(loudest_m > 0.0)) break;
     if (slot->declaration->hears_messages) hear(*slot, surroundings, loudest_m, now, all);

@@ -98,14 +98,9 @@ class RobotSurroundings final : public Surroundings {
     const Vector3 way = to - from;
     const double distance = std::sqrt(dot(way, way));
     if (!(distance > 0.0)) return true;
-    Frame along;
-    along.origin = from;
-    along.forward = (1.0 / distance) * way;
-    RayQuery query{&along, distance};
-    Surface surface;
-    cast_rays({}, {&query, 1}, {&surface, 1});
-    return surface.kind == Surface::Kind::nothing ||
-           (surface.kind == Surface::Kind::robot && robots_[surface.index].get() == &other);
+    const auto hit = engine_.cast_ray(from, (1.0 / distance) * way, distance, robot_);
+    if (!hit || hit->floor) return !hit;
+    return hit->body.kind == physics::BodyKind::robot && robots_[hit->body.index].get() == &other;
   }
   void lights_within(double radius_m, std::vector<LampView>& lights) const override {
     for_each_near(radius_m, [&](const Robot& other) {

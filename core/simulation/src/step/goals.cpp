@@ -136,8 +136,9 @@ class Judge {
     const auto events = simulation_.events();
     for (std::size_t& i = progress_->events_read; i < events.size(); ++i) {
       const EventRecord& event = events[i];
-      if (events::name_of(event.event) == goal.name && is_of(goal, event.robot))
+      if (events::name_of(event.event) == goal.name && is_of(goal, event.robot)) {
         ++progress_->events;
+      }
     }
     return reached(progress_->events >= goal.count);
   }
