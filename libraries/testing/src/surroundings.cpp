@@ -26,7 +26,7 @@ Surroundings::Surroundings() : engine_(std::make_unique<Engine>()) {
 Surroundings::~Surroundings() = default;
 // What the engine's views refer to has moved.
 Surroundings::Surroundings(Surroundings&& other) noexcept
-    : carrier(std::move(other.carrier)),
+    : carrier(other.carrier),
       pose_(other.pose_),
       world_(std::move(other.world_)),
       joints_(std::move(other.joints_)),

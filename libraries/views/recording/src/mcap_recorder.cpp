@@ -339,8 +339,9 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
       sketches = list();
     } catch (const simulation::PluginFault& fault) {
       if (!options_.warn) throw;
-      if (!lacks_sketches_)
+      if (!lacks_sketches_) {
         options_.warn(std::string("the recording lacks sketches: ") + fault.what());
+      }
       lacks_sketches_ = true;
     }
     if (!to && sketches.empty()) return;

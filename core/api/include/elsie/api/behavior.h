@@ -113,7 +113,7 @@ struct Response {
 
 /// Behaviours with a coordinator of their own, inside a behaviour (nested coordination). The world
 /// file lists them as <behaviors> and <coordinator> inside the behaviour's element; the simulator
-/// makes and runs them. See holds_behaviors() in declaration.h.
+/// makes and runs them. See holds_behaviors() in declaration_items.h.
 class Coordination {
  public:
   /// Asks the coordinator, which asks its behaviours, and returns their combined command, with what
@@ -163,7 +163,7 @@ class Behavior : public Component {
 ///   ELSIE_BEHAVIOR(Class, "name", "one line that says what it does", items...)
 /// Items: elsie::parameter(), elsie::elements(), elsie::holds_behaviors(), elsie::needs<Reading>(),
 /// elsie::commands<Command>(), elsie::hears<Message>(), elsie::only_acts(), elsie::raises(),
-/// elsie::version(); see declaration.h.
+/// elsie::version(); see declaration_items.h.
 #define ELSIE_BEHAVIOR(Class, ...) \
   ELSIE_REGISTER_PLUGIN_(::elsie::PluginKind::behavior, Class, __VA_ARGS__)
 

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "elsie/api/component.h"
-#include "elsie/api/declaration.h"
+#include "elsie/api/declaration_items.h"
 #include "elsie/api/reading.h"
 
 namespace elsie {

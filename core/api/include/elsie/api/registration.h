@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "elsie/api/abi.h"
-#include "elsie/api/declaration.h"
+#include "elsie/api/declaration_items.h"
 
 namespace elsie {
 

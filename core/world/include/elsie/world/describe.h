@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "elsie/api/declaration_items.h"
 #include "elsie/world/values.h"
 #include "elsie/world/vocabulary.h"
 

@@ -1,0 +1,377 @@
+// The items of which a plugin makes its declaration: parameters, elements, published numbers, what
+// it needs, gives and hears. Each adds to the declaration under construction. `Class` is the
+// plugin's class.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "elsie/api/component.h"
+#include "elsie/api/declaration.h"
+#include "elsie/api/message.h"
+#include "elsie/api/reading.h"
+
+namespace elsie {
+
+template <class Class, class Value>
+struct ParameterItem {
+  std::string name;
+  Value Class::*member;
+  ParameterFacts facts;
+};
+
+/// A parameter `name` bound to a member of type double, float, bool, an integer, std::string,
+/// FilePath or std::vector<double>.
+template <class Class, class Value>
+ParameterItem<Class, Value> parameter(const char* name, Value Class::*member,
+                                      ParameterFacts facts = {}) {
+  return {name, member, std::move(facts)};
+}
+
+template <class Item>
+struct ElementItem {
+  std::string name;
+  std::string meaning;
+  std::vector<ParameterDeclaration> parameters;
+  std::function<Item(const ElementValue&)> make;
+  std::function<ElementValue(const Item&)> tell;
+};
+
+/// An element that stands for one object of the plain struct `Item`; its parameters are bound to
+/// members of that struct, like a plugin's to members of its class.
+template <class Item, class... Values>
+ElementItem<Item> element(const char* name, const char* meaning,
+                          ParameterItem<Item, Values>... parameters);
+
+template <class Class, class Value, class... Items>
+struct ElementsItem {
+  std::vector<Value> Class::*list;
+  std::tuple<ElementItem<Items>...> items;
+};
+
+/// A list of nested elements, bound to a member of the plugin's class: a std::vector of the struct
+/// that element() describes, or of a std::variant of several such structs.
+template <class Class, class Value, class... Items>
+ElementsItem<Class, Value, Items...> elements(std::vector<Value> Class::*list,
+                                              ElementItem<Items>... items) {
+  return {list, {std::move(items)...}};
+}
+
+template <class Class>
+struct HoldsItem {
+  Coordination* Class::*member;
+};
+/// A behaviour made of behaviours and their coordinator; the member will point to them.
+template <class Class>
+HoldsItem<Class> holds_behaviors(Coordination* Class::*member) {
+  return {member};
+}
+
+template <class Class, class Value>
+struct PublishesItem {
+  const char* name;
+  Value Class::*member;
+  PublishedFacts facts;
+};
+/// A number that the plugin shows, read from a member of its class, or from a const member function
+/// without arguments, when somebody looks. A number that is not finite stands for none.
+template <class Class, class Value>
+PublishesItem<Class, Value> publishes(const char* name, Value Class::*member,
+                                      PublishedFacts facts = {}) {
+  return {name, member, std::move(facts)};
+}
+
+/// The behaviour needs these readings: a robot without a sensor that produces them is refused.
+template <class Reading>
+auto needs() {
+  return [](Declaration& declaration) {
+    declaration.needs.push_back(ReadingDeclaration::of<Reading>());
+  };
+}
+
+/// The readings that a sensor produces; ELSIE_SENSOR adds this item.
+template <class Reading>
+auto produces(bool updates_all = false) {
+  return [updates_all](Declaration& declaration) {
+    declaration.produces.push_back(ReadingDeclaration::of<Reading>());
+    declaration.updates_all = updates_all;
+  };
+}
+
+/// The behaviour gives such commands: a robot without an actuator that takes them is refused.
+template <class Command>
+auto commands() {
+  return [](Declaration& declaration) {
+    declaration.commands.push_back(ReadingDeclaration::of<Command>());
+  };
+}
+
+/// The commands that an actuator takes; ELSIE_ACTUATOR adds this item.
+template <class Command>
+auto takes() {
+  return [](Declaration& declaration) {
+    declaration.takes.push_back(ReadingDeclaration::of<Command>());
+  };
+}
+
+/// The behaviour or coordinator listens to such messages: tests make them up.
+template <class Content>
+auto hears() {
+  return [](Declaration& declaration) {
+    declaration.hears.push_back({ReadingDeclaration::of<Content>(), [](const FieldVisit& change) {
+                                   Content content{};
+                                   visit_fields(content, change);
+                                   return AnyMessage(std::move(content));
+                                 }});
+  };
+}
+
+/// The behaviour never moves the robot: it grips, signals, says. It is asked in every control
+/// period, whatever the coordinator, which does not see it; what it answers for motion counts
+/// nowhere.
+inline auto only_acts() {
+  return [](Declaration& declaration) { declaration.only_acts = true; };
+}
+
+/// The plugin's objects share data that they change (a cache, a file, a library that is not safe):
+/// a simulation with several threads calls them from one thread only, in the order of the robots.
+inline auto one_thread() {
+  return [](Declaration& declaration) { declaration.may_share_threads = false; };
+}
+
+/// An event that the plugin may raise.
+inline auto raises(const char* name, const char* meaning) {
+  return [=](Declaration& declaration) { declaration.events.push_back({name, meaning}); };
+}
+
+/// An event that the behaviour or coordinator reacts to. The plugin is refused on a robot if
+/// neither the simulator nor a behaviour of the robot raises the event.
+inline auto reacts_to(std::string_view event) {
+  return [=](Declaration& declaration) { declaration.reacts_to.emplace_back(event); };
+}
+
+/// A text parameter of a sensor or an actuator that names a field of the world, which is refused if
+/// it has none of that name. The parameter must not be live.
+inline auto names_field(std::string_view parameter) {
+  return [=](Declaration& declaration) { declaration.field_parameters.emplace_back(parameter); };
+}
+
+/// A text parameter of a behaviour, a coordinator or a rule that names an event, or the parameter
+/// of a nested element: names_event("event/name"). A world is refused if nothing in it raises that:
+/// for behaviours and coordinators the simulator, a rule or a behaviour of the robot. Empty: none.
+inline auto names_event(std::string_view parameter) {
+  return [=](Declaration& declaration) { declaration.event_parameters.emplace_back(parameter); };
+}
+
+/// The plugin's own version; the default is "1.0".
+inline auto version(const char* version) {
+  return [=](Declaration& declaration) { declaration.version = version; };
+}
+
+namespace detail {
+
+template <class Value>
+constexpr ParameterType type_of() {
+  if constexpr (std::is_same_v<Value, bool>) {
+    return ParameterType::boolean;
+  } else if constexpr (std::is_integral_v<Value>) {
+    return ParameterType::integer;
+  } else if constexpr (std::is_floating_point_v<Value>) {
+    return ParameterType::real;
+  } else if constexpr (std::is_same_v<Value, std::string>) {
+    return ParameterType::text;
+  } else if constexpr (std::is_same_v<Value, FilePath>) {
+    return ParameterType::file;
+  } else {
+    static_assert(
+        std::is_same_v<Value, std::vector<double>>,
+        "a parameter is a number, bool, std::string, elsie::FilePath or std::vector<double>");
+    return ParameterType::reals;
+  }
+}
+
+/// Sets the limits of a number type that is narrower than the type of the value.
+template <class Value>
+void limit(ParameterDeclaration& declaration) {
+  if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool> &&
+                (sizeof(Value) < sizeof(double) || std::is_unsigned_v<Value>)) {
+    declaration.lowest = static_cast<double>(std::numeric_limits<Value>::lowest());
+    if constexpr (sizeof(Value) < sizeof(double)) {
+      declaration.highest = static_cast<double>(std::numeric_limits<Value>::max());
+    }
+  }
+}
+
+template <class Value>
+ParameterValue to_value(const Value& value) {
+  if constexpr (std::is_same_v<Value, bool>) {
+    return value;
+  } else if constexpr (std::is_integral_v<Value>) {
+    return static_cast<std::int64_t>(value);
+  } else if constexpr (std::is_floating_point_v<Value>) {
+    return static_cast<double>(value);
+  } else if constexpr (std::is_same_v<Value, FilePath>) {
+    return value.path;
+  } else {
+    return value;
+  }
+}
+
+template <class Value>
+void from_value(const ParameterValue& value, Value& member) {
+  if constexpr (std::is_same_v<Value, bool>) {
+    member = std::get<bool>(value);
+  } else if constexpr (std::is_integral_v<Value>) {
+    member = static_cast<Value>(std::get<std::int64_t>(value));
+  } else if constexpr (std::is_floating_point_v<Value>) {
+    member = static_cast<Value>(std::get<double>(value));
+  } else if constexpr (std::is_same_v<Value, FilePath>) {
+    member.path = std::get<std::string>(value);
+  } else {
+    member = std::get<Value>(value);
+  }
+}
+
+/// The declaration of a parameter without `set` and `get`.
+template <class Object, class Class, class Value>
+ParameterDeclaration describe(const Object& defaults, const ParameterItem<Class, Value>& item) {
+  ParameterDeclaration parameter;
+  parameter.name = item.name;
+  parameter.type = type_of<Value>();
+  parameter.facts = item.facts;
+  parameter.default_value = to_value(defaults.*(item.member));
+  limit<Value>(parameter);
+  return parameter;
+}
+
+template <class Plugin, class Class, class Value>
+void apply(Declaration& declaration, const Plugin& defaults, ParameterItem<Class, Value> item) {
+  static_assert(std::is_base_of_v<Class, Plugin>,
+                "a parameter must be a member of the plugin's class");
+  const auto member = item.member;
+  ParameterDeclaration& parameter = declaration.parameters.emplace_back(describe(defaults, item));
+  parameter.set = [member](Component& object, const ParameterValue& value) {
+    from_value(value, static_cast<Plugin&>(object).*member);
+  };
+  parameter.get = [member](const Component& object) {
+    return to_value(static_cast<const Plugin&>(object).*member);
+  };
+}
+template <class Plugin, class Class, class Value, class Item>
+void apply_element(Declaration& declaration, std::vector<Value> Class::*list, std::size_t number,
+                   const ElementItem<Item>& item) {
+  ElementDeclaration& element = declaration.elements.emplace_back();
+  element.name = item.name;
+  element.meaning = item.meaning;
+  element.parameters = item.parameters;
+  element.list = number;
+  element.clear = [list](Component& object) { (static_cast<Plugin&>(object).*list).clear(); };
+  element.append = [list, make = item.make](Component& object, const ElementValue& value) {
+    (static_cast<Plugin&>(object).*list).push_back(make(value));
+  };
+}
+/// Appends the element that stands for an object of a list.
+template <class Value, class Item>
+void tell(const Value& value, const ElementItem<Item>& item, std::vector<ElementValue>& told) {
+  if constexpr (std::is_same_v<Value, Item>) {
+    told.push_back(item.tell(value));
+  } else if (const Item* alternative = std::get_if<Item>(&value)) {
+    told.push_back(item.tell(*alternative));
+  }
+}
+template <class Plugin, class Class, class Value, class... Items>
+void apply(Declaration& declaration, const Plugin& defaults,
+           ElementsItem<Class, Value, Items...> item) {
+  static_assert(std::is_base_of_v<Class, Plugin>,
+                "a list of elements must be a member of the plugin's class");
+  const std::size_t number =
+      declaration.elements.empty() ? 0 : declaration.elements.back().list + 1;
+  std::apply(
+      [&](const auto&... each) {
+        (apply_element<Plugin>(declaration, item.list, number, each), ...);
+        for (const Value& value : defaults.*(item.list)) {
+          (tell(value, each, declaration.default_elements), ...);
+        }
+      },
+      item.items);
+}
+template <class Plugin, class Class>
+void apply(Declaration& declaration, const Plugin&, HoldsItem<Class> item) {
+  static_assert(std::is_base_of_v<Class, Plugin>,
+                "what holds behaviors must be a member of the plugin's class");
+  declaration.hold = [member = item.member](Component& object, Coordination& inside) {
+    static_cast<Plugin&>(object).*member = &inside;
+  };
+}
+template <class Plugin, class Class, class Value>
+void apply(Declaration& declaration, const Plugin&, PublishesItem<Class, Value> item) {
+  static_assert(std::is_base_of_v<Class, Plugin>,
+                "a published number must be a member of the plugin's class");
+  const auto get = [member = item.member](const Component& object) {
+    return static_cast<double>(std::invoke(member, static_cast<const Plugin&>(object)));
+  };
+  declaration.published.push_back({item.name, std::move(item.facts), get});
+}
+/// An item that does not depend on the class.
+template <class Plugin, std::invocable<Declaration&> Item>
+void apply(Declaration& declaration, const Plugin&, const Item& item) {
+  item(declaration);
+}
+
+}  // namespace detail
+
+template <class Item, class... Values>
+ElementItem<Item> element(const char* name, const char* meaning,
+                          ParameterItem<Item, Values>... parameters) {
+  ElementItem<Item> item;
+  item.name = name;
+  item.meaning = meaning;
+  const Item defaults{};
+  (item.parameters.push_back(detail::describe(defaults, parameters)), ...);
+  item.make = [parameters...](const ElementValue& value) {
+    Item made{};
+    const auto set = [&](const auto& parameter) {
+      if (const auto given = value.parameters.find(parameter.name);
+          given != value.parameters.end()) {
+        detail::from_value(given->second, made.*(parameter.member));
+      }
+    };
+    (set(parameters), ...);
+    return made;
+  };
+  item.tell = [name = item.name, parameters...](const Item& told) {
+    ElementValue value{name, {}};
+    (value.parameters.emplace(parameters.name, detail::to_value(told.*(parameters.member))), ...);
+    return value;
+  };
+  return item;
+}
+
+/// The declaration of a plugin class; the ELSIE_... macros call this.
+template <class Plugin, class... Items>
+Declaration declare(PluginKind kind, const char* name, const char* description, Items... items) {
+  Declaration declaration;
+  declaration.kind = kind;
+  declaration.name = name;
+  declaration.description = description;
+  declaration.create = [] { return std::make_unique<Plugin>(); };
+  const Plugin defaults;
+  (detail::apply(declaration, defaults, std::move(items)), ...);
+  if constexpr (requires { Plugin::declare_for_all(declaration); }) {
+    Plugin::declare_for_all(declaration);  // what all plugins of this kind have
+  }
+  return declaration;
+}
+
+}  // namespace elsie
