@@ -229,6 +229,25 @@ class Way final : public Measure {
   }
 };
 
+// Phases that hold phases, pauses, and ways out of them.
+struct Leave {
+  std::string to;
+  double after = 1.0;
+  std::string song{};
+};
+struct Phase {
+  std::string kind;
+  std::string name;
+  std::vector<Leave> leaves;
+  std::vector<Phase> phases;
+};
+
+class Plan final : public Coordinator {
+ public:
+  std::vector<Phase> phases{{"phase", "first", {{"second"}}, {{"pause", "inner", {}, {}}}}};
+  Motion coordinate(std::span<Member>, const Perception&) override { return {}; }
+};
+
 class Hits final : public Measure {
  public:
   std::vector<Quantity> quantities() const override { return {{"", "", "how many"}}; }
@@ -322,6 +341,23 @@ inline plugin::Host make_host() {
       parameter("deeper", &Cart::deeper, {.unit = "m", .meaning = "below where wheels belong"}),
       parameter("steered", &Cart::steered, {.meaning = "without a limit"}),
       parameter("flaw", &Cart::flaw, {.meaning = "that it has"})));
+  host.add(declare<Plan>(
+      PluginKind::coordinator, "plan", "Phases",
+      elements(
+          &Plan::phases,
+          element<Phase>(
+              "phase", "A time with ways out of it", element_name(&Phase::kind),
+              nests(&Phase::phases),
+              parameter("name", &Phase::name, {.meaning = "what it is called", .required = true}),
+              elements(
+                  &Phase::leaves,
+                  element<Leave>(
+                      "leave", "A way out", parameter("to", &Leave::to, {.meaning = "where to"}),
+                      parameter("after", &Leave::after, {.unit = "s", .min = 0, .meaning = "when"}),
+                      parameter("event", &Leave::song, {.meaning = "or then"})))),
+          element<Phase>("pause", "A time without any", element_name(&Phase::kind),
+                         parameter("name", &Phase::name, {.meaning = "what it is called"}))),
+      names_event("leave/event")));
   host.add(declare<Hits>(PluginKind::measure, "hits", "How often robots touched something"));
   host.add(declare<Pick>(PluginKind::coordinator, "pick", "Runs the first behaviour"));
   host.add(declare<Sum>(PluginKind::coordinator, "sum", "Adds the commands",

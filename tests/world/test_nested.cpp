@@ -42,7 +42,7 @@ template <class Class>
 plugin::Object<Class> configured(PluginKind kind, const world::PluginUse& use) {
   auto object = host().create<Class>(kind, use.plugin);
   plugin::apply_parameters(*host().find(kind, use.plugin), *object, use.parameters,
-                           {use.elements.begin(), use.elements.end()});
+                           world::values_of(use.elements));
   return object;
 }
 
@@ -181,4 +181,93 @@ TEST_CASE("All mistakes inside of plugins are reported at once, each on its line
         "world.xml:14: <roam> has no attribute 'sped'; did you mean 'speed'?\n"
         "world.xml:17: <layers> may not hold <suppres>; did you mean '<suppress>'?\n"
         "world.xml:17: <suppress> lacks the attribute 'of'; expected a text");
+}
+
+namespace {
+
+std::string plan(const std::string& phases) {
+  return robot("<behaviors><roam/></behaviors><coordinator><plan>" + phases +
+               "</plan></coordinator>");
+}
+
+const std::string kPhases = R"(
+    <phase name="day">
+      <leave to="night" after="2"/>
+      <phase name="noon"><phase name="lunch"/><leave event="bored"/><pause name="nap"/></phase>
+    </phase>
+    <pause/>)";
+
+// "phase day(leave night phase noon(...))"
+std::string words(const std::vector<Phase>& phases) {
+  std::string text;
+  for (const Phase& phase : phases) {
+    text += (text.empty() ? "" : " ") + phase.kind + " " + phase.name + "(";
+    for (const Leave& leave : phase.leaves) text += leave.to + leave.song + ";";
+    text += words(phase.phases) + ")";
+  }
+  return text;
+}
+
+std::string words(const world::World& w) {
+  return words(configured<Plan>(PluginKind::coordinator, *w.robots[0].coordinator)->phases);
+}
+
+}  // namespace
+
+TEST_CASE("Elements that a plugin declares hold others, to any depth") {
+  const world::World w = read(plan(kPhases));
+  CHECK(words(w) == "phase day(night;phase noon(bored;phase lunch() pause nap())) pause ()");
+  const world::PluginUse& use = *w.robots[0].coordinator;
+  const world::ElementUse& noon = use.elements.at(0).elements.at(1);
+  CHECK(noon.elements.at(0).location.line == 4);
+  CHECK(real(use.elements[0].elements[0], "after") == 2.0);
+  CHECK(
+      same(w, world::parse_world(world::write_world(w), kFolder + "world.xml", host(), options())));
+  CHECK(words(read(plan(""))) == "phase first(second;pause inner())");
+  CHECK(words(read(plan("<pause/>"))) == "pause ()");
+
+  std::string deep = "<pause name='deepest'/>";
+  for (int i = 0; i < 40; ++i) deep = "<phase name='p'>" + deep + "</phase>";
+  const std::string found = words(read(plan(deep)));
+  CHECK(found.find("pause deepest()") != std::string::npos);
+  CHECK(std::count(found.begin(), found.end(), '(') == 41);
+}
+
+TEST_CASE("Mistakes in elements inside elements are reported, each on its line") {
+  CHECK(problems(plan(R"(
+    <phase name="day">
+      <phase><leave after="-1"/></phase>
+      <leaf/>
+      <pause><phase name="x"/></pause>
+      <leave><name/><to/></leave>
+    </phase>
+    <leave to="night"/>)")) ==
+        "world.xml:3: after=\"-1\" of <leave>: expected a number at least 0 s\n"
+        "world.xml:3: <phase> lacks the attribute 'name'; expected a text\n"
+        "world.xml:4: <phase> may not hold <leaf>; did you mean '<leave>'?\n"
+        "world.xml:5: <pause> may not hold <phase>; expected nothing in it\n"
+        "world.xml:6: <leave> may not hold <name>; expected nothing in it\n"
+        "world.xml:6: <leave> may not hold <to>; its parameters are attributes\n"
+        "world.xml:8: <plan> may not hold <leave>; it may hold: <phase>, <pause>");
+  CHECK(
+      problems(plan(R"(
+    <phase name="day"><phase name="noon"><leave event="noone"/></phase></phase>)")) ==
+      "world.xml:2: 'plan' is for the event 'noone', which neither the simulator nor a rule nor a "
+      "behaviour of robot 'r1' raises; there are: ");
+}
+
+TEST_CASE("Paths lead into elements inside elements") {
+  const auto edited = [](std::vector<std::string> edits) {
+    return world::parse_world("<world format='1'>" + plan(kPhases) + "</world>",
+                              kFolder + "world.xml", host(), options(std::move(edits)));
+  };
+  const std::string noon = "robot[r1]/coordinator/phase[1]/phase[name=noon]/";
+  const world::World later = edited({noon + "leave[1]/@after=9"});
+  CHECK(real(later.robots[0].coordinator->elements[0].elements[1].elements[1], "after") == 9.0);
+  CHECK(words(edited({noon + "leave[+]=<leave to='tea'/>"})) ==
+        "phase day(night;phase noon(bored;tea;phase lunch() pause nap())) pause ()");
+  CHECK(words(edited({noon + "pause/@remove=true"})) ==
+        "phase day(night;phase noon(bored;phase lunch())) pause ()");
+  CHECK(words(edited({noon + "phase=<pause name='tea'/>"})) ==
+        "phase day(night;phase noon(bored;pause tea() pause nap())) pause ()");
 }

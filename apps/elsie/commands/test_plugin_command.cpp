@@ -16,7 +16,7 @@
 #include "elsie/build/source_build.h"
 #include "elsie/plugin/error.h"
 #include "elsie/plugin/kind_name.h"
-#include "elsie/plugin/parameters.h"
+#include "elsie/plugin/declared_element.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/testing/checker.h"
 #include "elsie/world/markup.h"
@@ -98,6 +98,26 @@ testing::Settings settings_for(const Declaration& declaration, const TestPluginO
   return settings;
 }
 
+/// The value of an element, with what stands in it.
+elsie::ElementValue value_of(const plugin::DeclaredElement& declared,
+                             const world::Element& element) {
+  elsie::ElementValue value{element.name, {}};
+  for (const world::Attribute& attribute : element.attributes) {
+    const auto* const parameter = plugin::find_declared(declared.parameters(), attribute.name);
+    const std::string where = "--element " + world::in_words(attribute, element);
+    if (!parameter) throw BadInput(where + ": <" + element.name + "> has no such attribute");
+    value.parameters[attribute.name] = value_of(*parameter, attribute.value, where);
+  }
+  for (const world::Element& inner : element.children) {
+    const auto known = declared.inside(inner.name);
+    if (!known) {
+      throw BadInput("--element: <" + element.name + "> may not hold <" + inner.name + ">");
+    }
+    value.elements.push_back(value_of(*known, inner));
+  }
+  return value;
+}
+
 /// The elements that may stand in that of this plugin; `used` counts them.
 testing::Elements elements_for(const Declaration& declaration, const TestPluginOptions& options,
                                std::map<std::string, bool>& used) {
@@ -105,17 +125,10 @@ testing::Elements elements_for(const Declaration& declaration, const TestPluginO
   for (const std::string& text : options.elements) {
     const world::Element element = world::parse_markup(text, "--element");
     used.emplace(element.name, false);
-    const auto* const declared = plugin::find_declared(declaration.elements, element.name);
+    const auto declared = plugin::DeclaredElement(declaration).inside(element.name);
     if (!declared) continue;
     used[element.name] = true;
-    elsie::ElementValue& made = elements.emplace_back();
-    made.element = element.name;
-    for (const world::Attribute& attribute : element.attributes) {
-      const auto* const parameter = plugin::find_declared(declared->parameters, attribute.name);
-      const std::string where = "--element " + world::in_words(attribute, element);
-      if (!parameter) throw BadInput(where + ": <" + element.name + "> has no such attribute");
-      made.parameters[attribute.name] = value_of(*parameter, attribute.value, where);
-    }
+    elements.push_back(value_of(*declared, element));
   }
   return elements;
 }

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <utility>
 
 #include "elsie/api/simulator_events.h"
+#include "elsie/plugin/declared_element.h"
 #include "elsie/plugin/kind_name.h"
-#include "elsie/plugin/parameters.h"
 
 #include "text.h"
 
@@ -102,33 +103,41 @@ class Checker {
 
   void check_elements() {
     for (const ElementDeclaration& element : declaration_.elements) {
-      check_name("element", element.name);
-      if (element.name == "behaviors" || element.name == "coordinator") {
-        fault("element '" + element.name + "' has a name that is reserved for nested behaviors");
-      }
       if (!element.clear || !element.append) {
         fault("element '" + element.name + "' is not bound to a list");
       }
-      for (const ParameterDeclaration& parameter : element.parameters) {
-        check_value_of(parameter);
-      }
-      check_unique("parameter", element.parameters, &ParameterDeclaration::name);
     }
-    for (const ElementValue& value : declaration_.default_elements) {
-      check_default(value);
-    }
+    check_elements(declaration_.elements);
+    check_defaults(DeclaredElement(declaration_), declaration_.default_elements);
     if (declaration_.hold && declaration_.kind != PluginKind::behavior) {
       fault("it holds behaviors, which only a behavior may");
     }
   }
 
-  /// Checks an element of a default list.
-  void check_default(const ElementValue& value) {
-    const auto* const element = find_declared(declaration_.elements, value.element);
-    if (!element) {
-      return;  // the unknown name is reported elsewhere
+  void check_elements(const std::vector<ElementDeclaration>& elements) {
+    for (const ElementDeclaration& element : elements) {
+      check_name("element", element.name);
+      if (element.name == "behaviors" || element.name == "coordinator") {
+        fault("element '" + element.name + "' has a name that is reserved for nested behaviors");
+      }
+      for (const ParameterDeclaration& parameter : element.parameters) {
+        check_value_of(parameter);
+      }
+      check_unique("parameter", element.parameters, &ParameterDeclaration::name);
+      check_unique("element", element.elements, &ElementDeclaration::name);
+      check_elements(element.elements);
     }
-    for (const ParameterDeclaration& parameter : element->parameters) {
+  }
+
+  void check_defaults(const DeclaredElement& around, const std::vector<ElementValue>& values) {
+    for (const ElementValue& value : values) {
+      // An unknown name is reported elsewhere.
+      if (const auto element = around.inside(value.element)) check_default(*element, value);
+    }
+  }
+  /// Checks an element of a default list.
+  void check_default(const DeclaredElement& element, const ElementValue& value) {
+    for (const ParameterDeclaration& parameter : element.parameters()) {
       const auto given = value.parameters.find(parameter.name);
       if (given == value.parameters.end()) continue;
       if (const auto wrong = check_value(parameter, given->second)) {
@@ -140,6 +149,7 @@ class Checker {
               std::get<std::string>(given->second) + "', which is not searched for");
       }
     }
+    check_defaults(element, value.elements);
   }
 
   void check_parameter(const ParameterDeclaration& parameter) {
@@ -190,12 +200,21 @@ class Checker {
   void check_event_parameters() {
     for (const std::string& path : declaration_.event_parameters) {
       const std::size_t slash = path.find('/');
-      const auto* const element = find_declared(declaration_.elements, path.substr(0, slash));
-      const auto* const parameter =
-          slash == std::string::npos ? find_declared(declaration_.parameters, path)
-          : element                  ? find_declared(element->parameters, path.substr(slash + 1))
-                                     : nullptr;
-      if (!parameter || parameter->type != ParameterType::text) {
+      const auto is_text = [](const std::vector<ParameterDeclaration>& among,
+                              const std::string& name) {
+        const auto* const parameter = find_declared(among, name);
+        return parameter && parameter->type == ParameterType::text;
+      };
+      const std::function<bool(const std::vector<ElementDeclaration>&)> has_text =
+          [&](const std::vector<ElementDeclaration>& among) {
+            return std::any_of(among.begin(), among.end(), [&](const ElementDeclaration& each) {
+              return (each.name == path.substr(0, slash) &&
+                      is_text(each.parameters, path.substr(slash + 1))) ||
+                     has_text(each.elements);
+            });
+          };
+      if (slash == std::string::npos ? !is_text(declaration_.parameters, path)
+                                     : !has_text(declaration_.elements)) {
         fault("names_event(\"" + path + "\") needs a text parameter of that name");
       }
     }

@@ -17,6 +17,7 @@
 #include "elsie/base/near_name.h"
 #include "elsie/base/thrown.h"
 #include "elsie/base/words.h"
+#include "elsie/plugin/declared_element.h"
 #include "elsie/plugin/error.h"
 
 #include "text.h"
@@ -158,6 +159,21 @@ void check_values(const std::string& whose, const std::vector<ParameterDeclarati
   }
 }
 
+/// The same for elements inside `whose`.
+void check_elements(const std::string& whose, const DeclaredElement& around,
+                    const std::vector<ElementValue>& elements, std::vector<std::string>& errors) {
+  for (const ElementValue& element : elements) {
+    if (const auto known = around.inside(element.element)) {
+      const std::string tag = "<" + element.element + ">";
+      check_values(tag, known->parameters(), element.parameters, errors);
+      check_elements(tag, *known, element.elements, errors);
+    } else {
+      errors.push_back(whose + " has no element <" + element.element + ">" +
+                       base::did_you_mean(element.element, around.names_inside()));
+    }
+  }
+}
+
 /// An empty Coordination, for a behaviour that is only tried out.
 class NothingInside final : public Coordination {
  public:
@@ -256,14 +272,7 @@ void apply_parameters(const Declaration& declaration, Component& object,
                       const std::vector<ElementValue>& elements) {
   std::vector<std::string> errors;
   check_values("it", declaration.parameters, parameters, errors);
-  for (const ElementValue& element : elements) {
-    if (const auto* known = find_declared(declaration.elements, element.element)) {
-      check_values("<" + element.element + ">", known->parameters, element.parameters, errors);
-    } else {
-      errors.push_back("it has no element <" + element.element + ">" +
-                       did_you_mean(element.element, declaration.elements));
-    }
-  }
+  check_elements("it", DeclaredElement(declaration), elements, errors);
   const auto fail = [&declaration](const std::string& why) {
     throw PluginError(title(declaration.kind, declaration.name) + ": " + why);
   };

@@ -326,6 +326,10 @@ std::vector<PluginSketch> Simulation::sketches(std::size_t robot) const {
   return impl_->robots_[robot]->sketches();
 }
 std::vector<PluginSketch> Simulation::sketches() const { return impl_->measuring_->sketches(); }
+std::vector<LitGraph> Simulation::graphs(std::size_t robot) const {
+  return impl_->robots_[robot]->graphs();
+}
+
 std::vector<MadeInference> Simulation::inferences(std::size_t robot) const {
   return impl_->robots_[robot]->inferences();
 }

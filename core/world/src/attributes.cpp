@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "elsie/base/near_name.h"
+#include "elsie/plugin/declared_element.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/world/values.h"
 
@@ -19,14 +20,17 @@ std::vector<Field> declared_fields(const WorldTree::Meaning& meaning, const plug
   std::vector<Field> fields;
   const Declaration* plugin = meaning.use ? host.find(*meaning.kind, meaning.use->plugin) : nullptr;
   if (!plugin) return fields;
-  const auto* element =
-      meaning.nested
-          ? plugin::find_declared(plugin->elements, meaning.use->elements[*meaning.nested].element)
-          : nullptr;
-  if (meaning.nested && !element) return fields;
+  std::optional<plugin::DeclaredElement> declared(*plugin);
+  const std::vector<ElementUse>* uses = &meaning.use->elements;
+  for (const std::size_t i : meaning.nested) {
+    declared = declared->inside((*uses)[i].element);
+    if (!declared) return fields;
+    uses = &(*uses)[i].elements;
+  }
+  const ElementDeclaration* const element = declared->element();
   const bool is_fixed = (meaning.kind && plugin::is_of_world(*meaning.kind)) ||
                         (meaning.kind == PluginKind::drive && !(element && element->is_of_kind));
-  for (const ParameterDeclaration& parameter : element ? element->parameters : plugin->parameters) {
+  for (const ParameterDeclaration& parameter : declared->parameters()) {
     fields.push_back(field_of(parameter));
     if (is_fixed) fields.back().cost = Cost::object;
   }
@@ -116,7 +120,7 @@ void Attributes::set(const AttributeTarget& target, std::string_view text) const
     }
   };
   auto& use = const_cast<PluginUse&>(*target.use);
-  target.nested ? put(use.elements[*target.nested]) : put(use);
+  target.nested.empty() ? put(use) : put(plugin::element_at(use.elements, target.nested));
 }
 
 std::vector<std::string> Attributes::robots_at(std::string_view text) const {

@@ -1,12 +1,13 @@
 // Which events a world raises, and whether those that its plugins name are among them.
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "elsie/api/simulator_events.h"
 #include "elsie/base/near_name.h"
 #include "elsie/plugin/host.h"
-#include "elsie/plugin/parameters.h"
+#include "elsie/plugin/declared_element.h"
 
 #include "reading.h"
 
@@ -73,11 +74,17 @@ void check_named_events(const PluginUse& use, const Declaration& declaration,
       continue;
     }
     const std::string name = path.substr(0, slash);
-    for (const ElementUse& each : use.elements) {
-      if (each.element != name) continue;
-      check(each.parameters, plugin::find_declared(declaration.elements, name)->parameters,
-            path.substr(slash + 1), each.location);
-    }
+    const std::function<void(const plugin::DeclaredElement&, const std::vector<ElementUse>&)>
+        check_all = [&](const plugin::DeclaredElement& around, const auto& uses) {
+          for (const ElementUse& each : uses) {
+            const auto declared = around.inside(each.element);
+            if (each.element == name) {
+              check(each.parameters, declared->parameters(), path.substr(slash + 1), each.location);
+            }
+            check_all(*declared, each.elements);
+          }
+        };
+    check_all(plugin::DeclaredElement(declaration), use.elements);
   }
 }
 

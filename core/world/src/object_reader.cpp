@@ -15,7 +15,7 @@
 #include "elsie/plugin/error.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/kind_name.h"
-#include "elsie/plugin/parameters.h"
+#include "elsie/plugin/declared_element.h"
 #include "elsie/world/files.h"
 #include "elsie/world/values.h"
 #include "elsie/world/world_tree.h"
@@ -301,7 +301,7 @@ class ObjectReader {
     std::set<std::string> held;
     for (const Element& child : element.children) {
       const ElementSpec* group = inside ? coordination_vocabulary().child(child.name) : nullptr;
-      if (const ElementDeclaration* declared = find_declared(declaration.elements, child.name)) {
+      if (const auto declared = plugin::DeclaredElement(declaration).inside(child.name)) {
         read_element(*declared, child, use.elements.emplace_back());
       } else if (!group) {
         refuse(child.where, "<" + element.name + "> may not hold <" + child.name + ">" +
@@ -315,17 +315,20 @@ class ObjectReader {
     }
   }
 
-  void read_element(const ElementDeclaration& declared, const Element& element, ElementUse& use) {
+  void read_element(const plugin::DeclaredElement& declared, const Element& element,
+                    ElementUse& use) {
     use.element = element.name;
     use.location = element.where;
     refuse_text(element);
     for (const Element& child : element.children) {
-      refuse(child.where,
-             "<" + element.name + "> may not hold <" + child.name + ">; " +
-                 (find_declared(declared.parameters, child.name) ? "its parameters are attributes"
-                                                                 : "expected nothing in it"));
+      if (const auto inner = declared.inside(child.name)) {
+        read_element(*inner, child, use.elements.emplace_back());
+      } else {
+        refuse(child.where, "<" + element.name + "> may not hold <" + child.name + ">" +
+                                explain_inner(declared, child));
+      }
     }
-    const Declared content{declared.parameters, use.parameters, use.file_names};
+    const Declared content{declared.parameters(), use.parameters, use.file_names};
     read_attributes(element, nullptr, nullptr, &content);
   }
 
@@ -381,7 +384,7 @@ class ObjectReader {
       const auto object = host_->create<Component>(declaration.kind, declaration.name);
       plugin::hold_nothing(declaration, *object);
       plugin::apply_parameters(declaration, *object, use.parameters,
-                               {use.elements.begin(), use.elements.end()});
+                               values_of(use.elements));
       if (const char* const changed = call.restore_arithmetic()) {
         refuse(element.where,
                "plugin '" + use.plugin + "': it changed " + changed +

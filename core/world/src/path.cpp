@@ -56,7 +56,8 @@ std::vector<Node> children(const Node& node, const std::string& name) {
       }
     }
   }
-  if (node.spec->plugins && !plugin::find_declared(node.spec->below(), name)) {
+  const bool is_declared = node.spec == &nested_element();
+  if (is_declared || (node.spec->plugins && !plugin::find_declared(node.spec->below(), name))) {
     for (Element& child : node.element->children) {
       if (child.name == name) {
         found.push_back({&child, &nested_element()});
@@ -303,7 +304,7 @@ bool add_to(const Node& node, const PathStep& step, const Element& given) {
       return true;
     }
   }
-  if (node.spec->plugins) {
+  if (node.spec->plugins || node.spec == &nested_element()) {
     require_name(step, given);
     insert(*node.element, step, given, named_alike);
     return true;

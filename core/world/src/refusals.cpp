@@ -78,6 +78,16 @@ std::string explain_child(const plugin::Host& host, const Declaration& declarati
                          : base::near_or_all("<" + child.name + ">", names, "it may hold");
 }
 
+std::string explain_inner(const plugin::DeclaredElement& declared, const Element& child) {
+  if (plugin::find_declared(declared.parameters(), child.name)) {
+    return "; its parameters are attributes";
+  }
+  std::vector<std::string> names = declared.names_inside();
+  for (std::string& name : names) name = "<" + name + ">";
+  return names.empty() ? "; expected nothing in it"
+                       : base::near_or_all("<" + child.name + ">", names, "it may hold");
+}
+
 std::string on_line(const Location& where, const Location& from) {
   return where.is_edit()   ? " (" + where.file.text() + ")"
          : where.line == 0 ? ""

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "elsie/api/declaration.h"
+#include "elsie/plugin/declared_element.h"
 #include "elsie/world/markup.h"
 
 namespace elsie::plugin {
@@ -42,5 +43,7 @@ std::string explain_missing(const plugin::Host& host, PluginKind kind, const std
 /// Explains that the plugin with this declaration may not hold `child`.
 std::string explain_child(const plugin::Host& host, const Declaration& declaration,
                           const Element& child);
+/// The same of an element that a plugin declares.
+std::string explain_inner(const plugin::DeclaredElement& declared, const Element& child);
 
 }  // namespace elsie::world

@@ -7,6 +7,13 @@ namespace elsie::world {
 
 namespace {
 
+bool same_elements(const std::vector<ElementUse>& a, const std::vector<ElementUse>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
+    return one.element == other.element && one.parameters == other.parameters &&
+           same_elements(one.elements, other.elements);
+  });
+}
+
 const ElementSpec& member_of(const ElementSpec& group) { return group.children.front(); }
 
 bool same_attributes(const ElementSpec& spec, const void* a, const void* b, Cost least) {
@@ -46,11 +53,17 @@ bool same_parts(const ElementSpec& spec, const void* a, const void* b, Cost leas
 
 }  // namespace
 
+std::vector<ElementValue> values_of(const std::vector<ElementUse>& elements) {
+  std::vector<ElementValue> values;
+  for (const ElementUse& use : elements) {
+    values.push_back({use.element, use.parameters, values_of(use.elements)});
+  }
+  return values;
+}
+
 bool same(const PluginUse& a, const PluginUse& b) {
   return a.plugin == b.plugin && a.id == b.id && a.parameters == b.parameters &&
-         std::equal(
-             a.elements.begin(), a.elements.end(), b.elements.begin(), b.elements.end(),
-             [](const ElementValue& one, const ElementValue& other) { return one == other; });
+         same_elements(a.elements, b.elements);
 }
 
 bool same(const ElementSpec& spec, const void* a, const void* b, Cost least) {

@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "elsie/plugin/declared_element.h"
 #include "elsie/world/escaped.h"
 #include "elsie/world/values.h"
 #include "elsie/world/writer.h"
@@ -74,7 +75,7 @@ std::string WorldTree::path(std::size_t meaning) const {
   const std::string outer = path(own.holder);
   const ElementSpec& around = *meanings_[own.holder].spec;
   if (own.spec && own.spec->group) return outer;
-  const std::string& step = !own.spec      ? own.use->elements[*own.nested].element
+  const std::string& step = !own.spec      ? plugin::element_at(own.use->elements, own.nested).element
                             : around.group ? around.members
                                            : own.spec->name;
   const bool is_only = own.spec && own.spec->at_most <= 1;
@@ -98,7 +99,7 @@ void WorldTree::complete(Element& element) {
   }
   if (meaning.use) {
     add_parameters(element, *meaning.use, file_);
-    add_declared(element, meaning);
+    add_declared(element, meaning, meaning.use->elements);
   }
   if (!spec.plugins) {
     add_children(element, spec, object, meaning);
@@ -127,14 +128,15 @@ void WorldTree::add_children(Element& element, const ElementSpec& spec, const vo
   }
 }
 
-void WorldTree::add_declared(Element& element, const Meaning& meaning) {
+void WorldTree::add_declared(Element& element, const Meaning& meaning,
+                             const std::vector<ElementUse>& uses) {
   std::map<std::string, std::size_t> count;
-  for (std::size_t i = 0; i < meaning.use->elements.size(); ++i) {
-    const ElementUse& use = meaning.use->elements[i];
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    const ElementUse& use = uses[i];
     Meaning of_child = meaning;
     of_child.spec = nullptr;
     of_child.described = {};
-    of_child.nested = i;
+    of_child.nested.push_back(i);
     of_child.is_listed = true;
     of_child.holder = *element.object;
     of_child.number = ++count[use.element];
@@ -144,6 +146,7 @@ void WorldTree::add_declared(Element& element, const Meaning& meaning) {
     child.object = meanings_.size();
     add_parameters(child, use, file_);
     meanings_.push_back(of_child);
+    add_declared(child, of_child, use.elements);
     element.children.push_back(std::move(child));
   }
 }

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "elsie/plugin/declared_element.h"
 #include "elsie/plugin/host.h"
-#include "elsie/plugin/parameters.h"
 #include "elsie/world/markup.h"
 #include "elsie/world/vocabulary.h"
 
@@ -19,7 +19,7 @@ using world::Field;
 
 class Meaning {
  public:
-  static Meaning of_world() { return {&world::vocabulary(), nullptr, nullptr}; }
+  static Meaning of_world() { return Meaning(&world::vocabulary()); }
 
   /// The meaning of an element without a parent, as in a <change>; empty if its name is unknown.
   static Meaning of_name(const std::string& name, const plugin::Host& host,
@@ -27,7 +27,7 @@ class Meaning {
     for (const ElementSpec& each : among.children) {
       const Declaration* plugin = each.plugins ? host.find(*each.plugins, name) : nullptr;
       if (plugin || (!each.plugins && !each.group && each.name == name)) {
-        return {&each, plugin, nullptr};
+        return {&each, plugin};
       }
       if (Meaning inside = of_name(name, host, each); inside.spec_) {
         return inside;
@@ -38,22 +38,17 @@ class Meaning {
 
   /// The meaning of an element inside this one; empty if it is unknown.
   Meaning child(const Element& child, const plugin::Host& host) const {
-    if (!spec_) {
-      return {};
-    }
-    if (spec_->plugins) {
-      const ElementSpec* held =
+    if (declared_) {
+      const ElementSpec* const held =
           plugin_ && plugin_->hold ? world::coordination_vocabulary().child(child.name) : nullptr;
-      return held ? Meaning(held, nullptr, nullptr)
-             : plugin_
-                 ? Meaning(nullptr, nullptr, plugin::find_declared(plugin_->elements, child.name))
-                 : Meaning();
+      return held ? Meaning(held) : Meaning(declared_->inside(child.name));
     }
+    if (!spec_ || spec_->plugins) return {};
     if (!spec_->children.empty() && spec_->children.front().plugins) {
       const ElementSpec& use = spec_->children.front();
-      return {&use, host.find(*use.plugins, child.name), nullptr};
+      return {&use, host.find(*use.plugins, child.name)};
     }
-    return {spec_->child(child.name), nullptr, nullptr};
+    return Meaning(spec_->child(child.name));
   }
 
   std::optional<Field> field(const std::string& attribute) const {
@@ -61,9 +56,7 @@ class Meaning {
       return *known;
     }
     const ParameterDeclaration* parameter =
-        plugin_    ? plugin::find_declared(plugin_->parameters, attribute)
-        : element_ ? plugin::find_declared(element_->parameters, attribute)
-                   : nullptr;
+        declared_ ? plugin::find_declared(declared_->parameters(), attribute) : nullptr;
     return parameter ? std::optional(world::field_of(*parameter)) : std::nullopt;
   }
 
@@ -71,17 +64,20 @@ class Meaning {
   const ElementSpec* spec() const { return spec_; }
   bool is_use() const { return spec_ && spec_->plugins; }
   /// Whether a plugin declares the element.
-  bool is_declared() const { return element_ != nullptr; }
+  bool is_declared() const { return declared_ && declared_->element(); }
 
   Meaning() = default;
 
  private:
-  Meaning(const ElementSpec* spec, const Declaration* plugin, const ElementDeclaration* element)
-      : spec_(spec), plugin_(plugin), element_(element) {}
+  explicit Meaning(const ElementSpec* spec) : spec_(spec) {}
+  Meaning(const ElementSpec* spec, const Declaration* plugin) : spec_(spec), plugin_(plugin) {
+    if (plugin) declared_.emplace(*plugin);
+  }
+  explicit Meaning(const std::optional<plugin::DeclaredElement>& declared) : declared_(declared) {}
 
   const ElementSpec* spec_ = nullptr;
-  const Declaration* plugin_ = nullptr;
-  const ElementDeclaration* element_ = nullptr;
+  const Declaration* plugin_ = nullptr;                // whose own element it is
+  std::optional<plugin::DeclaredElement> declared_{};  // a plugin's own element, or one inside it
 };
 
 }  // namespace elsie::editing

@@ -21,14 +21,7 @@ class Findings {
     for (const ParameterDeclaration& parameter : declaration_.parameters) {
       check(parameter, "parameter '" + parameter.name + "'");
     }
-    for (const ElementDeclaration& element : declaration_.elements) {
-      if (element.is_of_kind) continue;  // Elsie's own
-      const std::string subject = "element '" + element.name + "'";
-      require_meaning(element.meaning, subject, "give elsie::element() one");
-      for (const ParameterDeclaration& parameter : element.parameters) {
-        check(parameter, "parameter '" + parameter.name + "' of " + subject);
-      }
-    }
+    check(declaration_.elements);
     for (const PublishedNumber& number : declaration_.published) {
       require_meaning(number.facts.meaning, "published number '" + number.name + "'",
                       "give elsie::publishes() one");
@@ -48,6 +41,18 @@ class Findings {
   void require_meaning(const std::string& meaning, const std::string& subject, const char* remedy) {
     if (meaning.find_first_not_of(' ') == std::string::npos) {
       add(subject + " has no meaning; " + remedy);
+    }
+  }
+
+  void check(const std::vector<ElementDeclaration>& elements) {
+    for (const ElementDeclaration& element : elements) {
+      if (element.is_of_kind) continue;  // Elsie's own
+      const std::string subject = "element '" + element.name + "'";
+      require_meaning(element.meaning, subject, "give elsie::element() one");
+      for (const ParameterDeclaration& parameter : element.parameters) {
+        check(parameter, "parameter '" + parameter.name + "' of " + subject);
+      }
+      check(element.elements);
     }
   }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "elsie/build/source_build.h"
+#include "elsie/plugin/declared_element.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/world/data_directories.h"
 
@@ -122,6 +123,17 @@ std::string title(const Declaration& declaration) {
   return std::string(plugin::kind_name(declaration.kind)) + " '" + declaration.name + "'";
 }
 
+void complete(const std::string& plugin, const plugin::DeclaredElement& around,
+              Elements& elements) {
+  for (ElementValue& element : elements) {
+    const auto declared = around.inside(element.element);
+    if (!declared) continue;  // apply_parameters() reports the mistake
+    element.parameters = complete(plugin + ", element '" + element.element + "'",
+                                  declared->parameters(), element.parameters, false);
+    complete(plugin, *declared, element.elements);
+  }
+}
+
 }  // namespace
 
 Plugins::Plugins() : Plugins(std::vector<fs::path>()) {}
@@ -149,15 +161,7 @@ Settings Plugins::completed(const Declaration& declaration, const Settings& sett
 
 Elements Plugins::completed(const Declaration& declaration, const Elements& elements) const {
   Elements all = elements;
-  for (ElementValue& element : all) {
-    const auto declared = std::find_if(
-        declaration.elements.begin(), declaration.elements.end(),
-        [&](const ElementDeclaration& other) { return other.name == element.element; });
-    if (declared != declaration.elements.end()) {  // else apply_parameters() reports the mistake
-      element.parameters = complete(title(declaration) + ", element '" + element.element + "'",
-                                    declared->parameters, element.parameters, false);
-    }
-  }
+  complete(title(declaration), plugin::DeclaredElement(declaration), all);
   return all;
 }
 

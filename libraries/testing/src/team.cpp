@@ -39,6 +39,13 @@ Team& Team::sets(CommandSets sets) {
   return *this;
 }
 
+Team& Team::publishes(const std::string& name, std::function<double()> value) {
+  slots_.at(slots_.size() - 1)
+      .published.push_back(
+          {name, {}, [value = std::move(value)](const Component&) { return value(); }});
+  return *this;
+}
+
 Team& Team::next_step() {
   for (Member& member : members_) {
     member.begin_step();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "elsie/base/number_text.h"
+#include "elsie/plugin/declared_element.h"
 #include "elsie/world/footprint.h"
 
 #include "edits/room.h"
@@ -88,8 +89,10 @@ class Plan {
       tuned = tunings.insert(
           tuned, {&robot(), object, known == setups_.end() ? object->setup() : known->second, ""});
     }
-    (target.nested ? tuned->setup.elements[*target.nested].parameters
-                   : tuned->setup.parameters)[target.field.name] = value;
+    Setup& setup = tuned->setup;
+    (target.nested.empty() ? setup.parameters
+                           : plugin::element_at(setup.elements, target.nested)
+                                 .parameters)[target.field.name] = value;
     add_text(tuned->text, text_);
   }
 

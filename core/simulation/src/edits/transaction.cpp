@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "elsie/plugin/parameters.h"
+#include "elsie/plugin/declared_element.h"
 #include "elsie/world/same.h"
 
 namespace elsie::simulation {
@@ -21,6 +21,18 @@ bool differ_for_good(const std::vector<ParameterDeclaration>& declared,
   return std::any_of(declared.begin(), declared.end(), [&](const ParameterDeclaration& one) {
     return !one.facts.live && value(a, one) != value(b, one);
   });
+}
+
+bool differ_for_good(const plugin::DeclaredElement& around,
+                     const std::vector<world::ElementUse>& a,
+                     const std::vector<world::ElementUse>& b) {
+  return !std::equal(
+      a.begin(), a.end(), b.begin(), b.end(), [&](const auto& one, const auto& other) {
+        if (one.element != other.element) return false;
+        const auto declared = around.inside(one.element);
+        return !differ_for_good(declared->parameters(), one.parameters, other.parameters) &&
+               !differ_for_good(*declared, one.elements, other.elements);
+      });
 }
 
 void equip(PluginObject& each, const std::optional<Setup>& setup, Memory memory,
@@ -42,12 +54,7 @@ bool EditTransaction::keeps(PluginObject& object, const world::PluginUse& was,
     const Declaration& declaration = *object.declaration;
     if (was.plugin != next.plugin || was.id != next.id ||
         differ_for_good(declaration.parameters, was.parameters, next.parameters) ||
-        !std::equal(was.elements.begin(), was.elements.end(), next.elements.begin(),
-                    next.elements.end(), [&](const ElementValue& one, const ElementValue& other) {
-                      const auto* known = plugin::find_declared(declaration.elements, one.element);
-                      return one.element == other.element &&
-                             !differ_for_good(known->parameters, one.parameters, other.parameters);
-                    })) {
+        differ_for_good(plugin::DeclaredElement(declaration), was.elements, next.elements)) {
       return false;
     }
     const Setup before = as_described(was), now = as_described(next);

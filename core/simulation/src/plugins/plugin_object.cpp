@@ -12,7 +12,7 @@
 namespace elsie::simulation {
 
 Setup as_described(const world::PluginUse& use) {
-  return {use.parameters, {use.elements.begin(), use.elements.end()}};
+  return {use.parameters, world::values_of(use.elements)};
 }
 
 Memory memory_of(Component& object) {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <variant>
 
-#include "elsie/plugin/parameters.h"
+#include "elsie/plugin/declared_element.h"
 #include "elsie/world/files.h"
 
 namespace elsie::simulation {
@@ -15,22 +15,18 @@ using plugin::find_declared;
 
 /// Removes parameters and elements that are not declared; calls `removed` for each.
 template <class Elements>
-void strip(const Declaration& declaration, std::map<std::string, ParameterValue>& parameters,
-           Elements& elements, const std::function<void(const std::string&)>& removed) {
-  const auto strip_from = [&](auto& given, const auto& declared, const std::string& whose) {
-    std::erase_if(given, [&](const auto& parameter) {
-      const bool gone = !find_declared(declared, parameter.first);
-      if (gone) {
-        removed("the parameter '" + parameter.first + "'" + whose);
-      }
-      return gone;
-    });
-  };
-  strip_from(parameters, declaration.parameters, "");
+void strip(const plugin::DeclaredElement& declared, const std::string& whose,
+           std::map<std::string, ParameterValue>& parameters, Elements& elements,
+           const std::function<void(const std::string&)>& removed) {
+  std::erase_if(parameters, [&](const auto& parameter) {
+    const bool gone = !find_declared(declared.parameters(), parameter.first);
+    if (gone) removed("the parameter '" + parameter.first + "'" + whose);
+    return gone;
+  });
   std::erase_if(elements, [&](auto& given) {
-    const ElementDeclaration* const known = find_declared(declaration.elements, given.element);
+    const auto known = declared.inside(given.element);
     if (known) {
-      strip_from(given.parameters, known->parameters, " of <" + given.element + ">");
+      strip(*known, " of <" + given.element + ">", given.parameters, given.elements, removed);
     } else {
       removed("the element <" + given.element + ">");
     }
@@ -38,14 +34,19 @@ void strip(const Declaration& declaration, std::map<std::string, ParameterValue>
   });
 }
 
-void require(const std::vector<ParameterDeclaration>& declared,
-             const std::map<std::string, ParameterValue>& given, const std::string& whose) {
-  for (const ParameterDeclaration& parameter : declared) {
+template <class Elements>
+void require(const plugin::DeclaredElement& declared, const std::string& whose,
+             const std::map<std::string, ParameterValue>& given, const Elements& elements) {
+  for (const ParameterDeclaration& parameter : declared.parameters()) {
     if (parameter.facts.required && !given.contains(parameter.name)) {
       throw std::invalid_argument("it needs the parameter '" + parameter.name + "'" + whose +
                                   " now, which the world does not give; give it there, or give it "
                                   "a default in the plugin");
     }
+  }
+  for (const auto& each : elements) {
+    require(*declared.inside(each.element), " of <" + each.element + ">", each.parameters,
+            each.elements);
   }
 }
 
@@ -73,7 +74,7 @@ std::map<std::string, std::string> default_files(const Declaration& declaration,
 /// Removes what is not declared, and adds default files; calls `removed` for each thing that goes.
 void adapt(world::PluginUse& use, const Declaration& declaration, const world::Files& files,
            const std::function<void(const std::string&)>& removed) {
-  strip(declaration, use.parameters, use.elements, removed);
+  strip(plugin::DeclaredElement(declaration), "", use.parameters, use.elements, removed);
   std::erase_if(use.file_names,
                 [&](const auto& named) { return !use.parameters.contains(named.first); });
   for (const auto& [name, file] : default_files(declaration, use.parameters, files)) {
@@ -150,11 +151,7 @@ void Swap::fit(PluginObject& object, const std::string& path) {
                                  " is no longer declared by " + declaration.name +
                                  " and was left out");
   });
-  require(declaration.parameters, use.parameters, "");
-  for (const ElementValue& element : use.elements) {
-    require(find_declared(declaration.elements, element.element)->parameters, element.parameters,
-            " of <" + element.element + ">");
-  }
+  require(plugin::DeclaredElement(declaration), "", use.parameters, use.elements);
 }
 
 void Swap::hand_over(const Example& example) {

@@ -213,6 +213,7 @@ void Controller::forget_acts() {
 
 Response Controller::respond(const Perception& now) {
   Response response = decide(now);
+  if (coordinator_) response.status = coordinator_->object().status();
   for (const ChosenAct& chosen : acts_) {
     response.acts.push_back(chosen.act);
   }
@@ -310,6 +311,13 @@ CommandSets Controller::command_sets(Member& member) {
   return sets;
 }
 
+double Controller::published(const Member& member, std::size_t number) const {
+  const Slot& slot = slot_of(member);
+  const double value = setting_.guard.run(
+      *slot.use, [&] { return slot.declaration->published.at(number).get(slot.object()); });
+  return std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
 void Controller::check(const Slot& slot, const Response& response) const {
   const auto fail = [&](const std::string& problem) { setting_.guard.fail(*slot.use, problem); };
   if (!response.command.is_finite()) {
@@ -372,6 +380,22 @@ void Controller::list_members(const std::string& path, int depth, int parent,
       slots_[i]->inside->list_members(name + "/", depth + 1, static_cast<int>(list.size()) - 1,
                                       list);
     }
+  }
+}
+
+void Controller::list_graphs(const std::string& path, std::vector<LitGraph>& list) const {
+  if (coordinator_) {
+    const auto& object = coordinator_->object();
+    LitGraph shown{path + coordinator_->use->id, coordinator_->use->plugin, {}, {}};
+    setting_.guard.look(*coordinator_->use, [&] {
+      shown.graph = object.graph();
+      shown.lights.resize(shown.graph.nodes.size());
+      object.light(shown.lights);
+    });
+    if (!shown.graph.empty()) list.push_back(std::move(shown));
+  }
+  for (const auto& slot : slots_) {
+    if (slot->inside) slot->inside->list_graphs(path + slot->use->id + "/", list);
   }
 }
 

@@ -91,6 +91,8 @@ class Controller final : public Coordination, private Member::Runner {
   std::span<const Member> members() const { return members_; }
   /// Appends the inferences of the last decision. `path` as in list_members().
   void list_inferences(const std::string& path, std::vector<MadeInference>& list) const;
+  /// Appends the graphs of its coordinator and of those inside its behaviours.
+  void list_graphs(const std::string& path, std::vector<LitGraph>& list) const;
   /// Appends all members, each followed by those inside it. `path` is the prefix of their names.
   /// Their addresses stay valid for the life of the controller.
   void list_members(const std::string& path, int depth, int parent,
@@ -145,8 +147,12 @@ class Controller final : public Coordination, private Member::Runner {
   void rate(Member& member, std::span<const Motion> candidates,
             std::span<double> desirability) override;
   CommandSets command_sets(Member& member) override;
+  std::span<const PublishedNumber> published(const Member& member) const override {
+    return slot_of(member).declaration->published;
+  }
+  double published(const Member& member, std::size_t number) const override;
 
-  Slot& slot_of(const Member& member) {
+  Slot& slot_of(const Member& member) const {
     return *slots_[static_cast<std::size_t>(&member - members_.data())];
   }
   void check(const Slot& slot, const Response& response) const;

@@ -184,6 +184,11 @@ class Robot final : private RobotRequests {
   /// The sketches of its plugins that are not empty. Throws PluginFault.
   std::vector<PluginSketch> sketches() const;
   /// The inferences of its plugins in the last decision. Throws PluginFault.
+  std::vector<LitGraph> graphs() const {
+    std::vector<LitGraph> list;
+    controller_->list_graphs("", list);
+    return list;
+  }
   std::vector<MadeInference> inferences() const {
     std::vector<MadeInference> list;
     controller_->list_inferences("", list);

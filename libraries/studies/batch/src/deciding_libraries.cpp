@@ -27,7 +27,7 @@ bool has_camera(const world::PluginUse& use, const plugin::Host& host) {
   try {
     const auto sensor = host.create<Sensor>(PluginKind::sensor, use.plugin);
     plugin::apply_parameters(*host.find(PluginKind::sensor, use.plugin), *sensor, use.parameters,
-                             {use.elements.begin(), use.elements.end()});
+                             world::values_of(use.elements));
     return sensor->camera().has_value();
   } catch (const std::exception&) {
     return true;  // it may have one in its robot

@@ -12,6 +12,7 @@
 
 #include "elsie/experiment/plugin_uses.h"
 #include "elsie/experiment/reader.h"
+#include "elsie/plugin/declared_element.h"
 #include "elsie/plugin/abi_word.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/kind_name.h"
@@ -88,7 +89,7 @@ class Planner {
     std::vector<std::size_t> plugins;
     const auto see = [&](PluginKind kind, world::PluginUse& plugin) {
       plugins.push_back(add_plugin(kind, plugin.plugin));
-      name_files(host_.find(kind, plugin.plugin), plugin, files);
+      name_files(plugin::DeclaredElement(*host_.find(kind, plugin.plugin)), plugin, files);
     };
     std::map<std::string, std::string> found;
     world::ReadOptions options;
@@ -158,7 +159,7 @@ class Planner {
     for (const std::uint64_t seed : experiment_.seeds) {
       world::World world = world_of(cell, seed);
       experiment::for_each_use(world, [&](PluginKind kind, world::PluginUse& plugin) {
-        name_files(host_.find(kind, plugin.plugin), plugin, files);
+        name_files(plugin::DeclaredElement(*host_.find(kind, plugin.plugin)), plugin, files);
       });
       name_image(world.floor, files);
       const std::string text = world::write_world(world);
@@ -225,13 +226,11 @@ class Planner {
     }
   }
 
-  static void name_files(const Declaration* declaration, world::PluginUse& use, FileNames& files) {
-    name_files(declaration->parameters, use.parameters, use.file_names, files);
+  template <class Use>
+  static void name_files(const plugin::DeclaredElement& declared, Use& use, FileNames& files) {
+    name_files(declared.parameters(), use.parameters, use.file_names, files);
     for (world::ElementUse& element : use.elements) {
-      const auto declared =
-          std::find_if(declaration->elements.begin(), declaration->elements.end(),
-                       [&](const auto& other) { return other.name == element.element; });
-      name_files(declared->parameters, element.parameters, element.file_names, files);
+      name_files(*declared.inside(element.element), element, files);
     }
   }
 

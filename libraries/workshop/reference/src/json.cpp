@@ -77,7 +77,22 @@ Json to_json(const ElementValue& value) {
   for (const auto& [name, given] : value.parameters) {
     parameters[name] = to_json(given);
   }
-  return {{"name", value.element}, {"parameters", parameters}};
+  Json json{{"name", value.element}, {"parameters", parameters}};
+  for (const ElementValue& inner : value.elements) json["elements"].push_back(to_json(inner));
+  return json;
+}
+
+Json to_json(const std::vector<ElementDeclaration>& elements) {
+  Json json = Json::array();
+  for (const ElementDeclaration& element : elements) {
+    json.push_back({{"name", element.name},
+                    {"meaning", element.meaning},
+                    {"list", element.list},
+                    {"parameters", to_json(element.parameters)}});
+    if (!element.elements.empty()) json.back()["elements"] = to_json(element.elements);
+    if (element.nests) json.back()["nests"] = true;
+  }
+  return json;
 }
 
 const char* to_text(world::Cost cost) {
@@ -178,13 +193,7 @@ Json plugin_json(const plugin::Host& host, const Declaration& plugin) {
             {"description", plugin.description},
             {"library", host.file_of(plugin.kind, plugin.name).string()}};
   json["parameters"] = to_json(plugin.parameters);
-  json["elements"] = Json::array();
-  for (const auto& element : plugin.elements) {
-    json["elements"].push_back({{"name", element.name},
-                                {"meaning", element.meaning},
-                                {"list", element.list},
-                                {"parameters", to_json(element.parameters)}});
-  }
+  json["elements"] = to_json(plugin.elements);
   json["default_elements"] = Json::array();
   for (const auto& value : plugin.default_elements) {
     json["default_elements"].push_back(to_json(value));

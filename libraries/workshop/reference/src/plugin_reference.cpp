@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "elsie/plugin/declared_element.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/reference/reference.h"
 #include "elsie/world/escaped.h"
@@ -78,10 +79,14 @@ std::string table_of(const std::vector<ParameterDeclaration>& parameters) {
   return text;
 }
 
+std::string lists_of_elements(const std::string& holder,
+                              const std::vector<ElementDeclaration>& all);
+
 // The attributes that differ from the defaults.
-std::string markup_of(const ElementValue& value, const ElementDeclaration& declared) {
-  std::string text = "<" + value.element;
-  for (const ParameterDeclaration& parameter : declared.parameters) {
+std::string markup_of(const ElementValue& value, const plugin::DeclaredElement& declared,
+                      const std::string& indent = "") {
+  std::string text = indent + "<" + value.element;
+  for (const ParameterDeclaration& parameter : declared.parameters()) {
     const auto given = value.parameters.find(parameter.name);
     if (given != value.parameters.end() &&
         (parameter.facts.required || given->second != parameter.default_value)) {
@@ -89,37 +94,63 @@ std::string markup_of(const ElementValue& value, const ElementDeclaration& decla
               world::escaped_attribute(world::format_value(given->second)) + "\"";
     }
   }
-  return text + "/>";
+  std::string inside;
+  for (const ElementValue& inner : value.elements) {
+    inside += markup_of(inner, *declared.inside(inner.element), indent + "  ") + "\n";
+  }
+  return text + (inside.empty() ? "/>" : ">\n" + inside + indent + "</" + value.element + ">");
 }
 
-// The elements of one list, and what replaces them when a file gives none.
-std::string list_of_elements(const Declaration& declaration, std::size_t list) {
+// The elements of one list. `holder`: what may hold them.
+std::string list_of_elements(const std::string& holder, const std::vector<ElementDeclaration>& all,
+                             std::size_t list) {
   std::vector<const ElementDeclaration*> elements;
-  for (const ElementDeclaration& element : declaration.elements) {
+  for (const ElementDeclaration& element : all) {
     if (element.list == list && !element.is_of_kind) {
       elements.push_back(&element);
     }
   }
   if (elements.empty()) return "";
   const bool one = elements.size() == 1;
-  std::string text = one ? "\nIt may hold any number of "
-                         : "\nIt may hold any number of these elements, in an order that counts:\n";
+  std::string text = "\n" + holder + " may hold any number of " +
+                     (one ? "" : "these elements, in an order that counts:\n");
   for (const ElementDeclaration* element : elements) {
-    text += (one ? "`<" : "\n`<") + element->name + ">`: " + element->meaning + ".\n" +
+    const std::string tag = "`<" + element->name + ">`";
+    text += (one ? "" : "\n") + tag + ": " + element->meaning + ".\n" +
             table_of(element->parameters);
+    if (element->nests) {
+      text += "\n" + tag + " may hold " + (one ? "others" : "all of these") +
+              ", too, to any depth.\n";
+    }
+    text += lists_of_elements(tag, element->elements);
+  }
+  return text;
+}
+
+std::string lists_of_elements(const std::string& holder,
+                              const std::vector<ElementDeclaration>& all) {
+  std::string text;
+  const std::size_t lists = all.empty() ? 0 : all.back().list + 1;
+  for (std::size_t list = 0; list < lists; ++list) text += list_of_elements(holder, all, list);
+  return text;
+}
+
+// What a plugin has when a file gives no element of a list.
+std::string default_list(const Declaration& declaration, std::size_t list) {
+  std::vector<std::string> names;
+  for (const ElementDeclaration& element : declaration.elements) {
+    if (element.list == list) names.push_back(element.name);
   }
   const std::string none =
-      one ? "Without any `<" + elements[0]->name + ">`" : "Without any of them";
+      names.size() == 1 ? "Without any `<" + names[0] + ">`" : "Without any of them";
   std::string defaults;
+  const plugin::DeclaredElement own(declaration);
   for (const ElementValue& value : declaration.default_elements) {
-    for (const ElementDeclaration* element : elements) {
-      if (element->name == value.element) {
-        defaults += markup_of(value, *element) + "\n";
-      }
-    }
+    const auto declared = own.inside(value.element);
+    if (declared->element()->list == list) defaults += markup_of(value, *declared) + "\n";
   }
-  return defaults.empty() ? text
-                          : text + "\n" + none + " it is as with\n\n```xml\n" + defaults + "```\n";
+  return defaults.empty() ? ""
+                          : "\n" + none + " it is as with\n\n```xml\n" + defaults + "```\n";
 }
 
 // ": `ranges` (m, an array), `hit`"
@@ -143,7 +174,7 @@ std::string plugin_declaration(const Declaration& declaration) {
                      declaration.version + ".\n" + table_of(declaration.parameters);
   const std::size_t lists = declaration.elements.empty() ? 0 : declaration.elements.back().list + 1;
   for (std::size_t list = 0; list < lists; ++list) {
-    text += list_of_elements(declaration, list);
+    text += list_of_elements("It", declaration.elements, list) + default_list(declaration, list);
   }
   if (declaration.hold) {
     text +=

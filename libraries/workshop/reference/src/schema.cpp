@@ -252,7 +252,7 @@ class Schema {
   // The content of a plugin's element: the elements that it declares, any number in any order, and,
   // if it holds behaviours, <behaviors> and <coordinator>, each once.
   std::string inside(const std::string& name, const Declaration& declaration) {
-    const std::string declared = declared_elements(name, declaration);
+    const std::string declared = declared_elements(name, declaration.elements);
     if (!declaration.hold) {
       return declared.empty() ? "" : sequence(declared);
     }
@@ -274,25 +274,44 @@ class Schema {
   }
 
   // Refers to a group of the elements that a plugin declares, and defines that.
-  std::string declared_elements(const std::string& name, const Declaration& declaration) {
-    if (declaration.elements.empty()) {
-      return "";
-    }
+  // `nested`: those of its own list that may stand in an element.
+  std::string declared_elements(const std::string& name,
+                                const std::vector<ElementDeclaration>& all,
+                                const std::string& nested = "") {
+    if (all.empty() && nested.empty()) return "";
     std::string elements;
-    for (const ElementDeclaration& declared : declaration.elements) {
+    for (const ElementDeclaration& declared : all) {
       std::vector<world::Field> fields;
       for (const ParameterDeclaration& parameter : declared.parameters) {
         fields.push_back(world::field_of(parameter));
       }
+      const std::string own = name + "." + declared.name;
       const std::string type = define(
-          name + "." + declared.name, [] { return std::string(); }, fields);
+          own,
+          [&] {
+            const std::string siblings = declared.nests ? of_list(name, all, declared.list) : "";
+            const std::string inner = declared_elements(own, declared.elements, siblings);
+            return inner.empty() ? "" : sequence(inner);
+          },
+          fields);
       elements += element(declared.name, type, declared.meaning, "", 3);
     }
+    elements += nested;
     const std::string group = name + ".elements";
     types_[group] = indented("<xs:group name=\"" + group + "\">", 1) + indented("<xs:choice>", 2) +
                     elements + indented("</xs:choice>", 2) + indented("</xs:group>", 1);
     order_.push_back(group);
     return indented("<xs:group ref=\"" + group + "\" minOccurs=\"0\" maxOccurs=\"unbounded\"/>", 3);
+  }
+
+  static std::string of_list(const std::string& name, const std::vector<ElementDeclaration>& all,
+                             std::size_t list) {
+    std::string elements;
+    for (const ElementDeclaration& each : all) {
+      if (each.list != list) continue;
+      elements += element(each.name, name + "." + each.name + ".type", each.meaning, "", 3);
+    }
+    return elements;
   }
 
   const plugin::Host& host_;

@@ -66,6 +66,10 @@ class Act {
   std::string by_{};
 };
 
+/// How what a behaviour does stands, for coordinators that wait for its end. Whatever has no end is
+/// always running.
+enum class Status { running, success, failure };
+
 /// A behaviour's answer. A bare Motion converts to one.
 struct Response {
   Response() = default;
@@ -82,6 +86,7 @@ struct Response {
   double speed_strength = 1.0;  // of the forward speed
   double lateral_strength = 1.0;
   double turn_strength = 1.0;
+  Status status = Status::running;
   /// Asks the simulator to charge the battery. Works only at a charger of its team.
   bool charge = false;
   /// The events that the behaviour raises. An empty list costs nothing.
@@ -119,7 +124,8 @@ class Coordination {
   /// Asks the coordinator, which asks its behaviours, and returns their combined command, with what
   /// the actuators are to do.
   /// Activation and strengths (overall and of each channel) are means weighted by the behaviours'
-  /// shares in the command. The simulator handles their events and requests for charging.
+  /// shares in the command; the status is the coordinator's. The simulator handles their events and
+  /// requests for charging.
   virtual Response respond(const Perception& now) = 0;
   /// How good candidate commands are for all of them together (Coordinator::rate()). Call respond()
   /// first in the same step.

@@ -13,6 +13,7 @@
 
 #include "elsie/api/behavior.h"
 #include "elsie/api/component.h"
+#include "elsie/api/graph.h"
 #include "elsie/api/motion.h"
 #include "elsie/api/perception.h"
 #include "elsie/api/registration.h"
@@ -20,19 +21,20 @@
 namespace elsie {
 
 /// What a coordinator noted about one of its behaviours in one step: a row of the trace. The member
-/// fills asked, command, activation, strength and time when it is asked; the coordinator fills the
-/// rest.
+/// fills asked, command, activation, strength, status and time when it is asked; the coordinator
+/// fills the rest.
 struct TraceRow {
-  bool asked = false;       // whether respond() ran in this step
-  Motion command;           // the behaviour's wish
-  double activation = 0.0;  // as the behaviour reported it
-  double strength = 0.0;    // as the behaviour reported it
-  double weight = 0.0;      // the factor of its command in the sum; negative only for a
-                            // negative priority
-  double share = 0.0;       // its part in the result, in [0, 1]
-  int inhibited_by = -1;    // index of the member that silenced it; -1: none
-  double time_s = 0.0;      // duration of respond() on the clock; 0 unless it is being measured
-  std::string reason;       // one or two words: "highest priority"
+  bool asked = false;               // whether respond() ran in this step
+  Motion command;                   // the behaviour's wish
+  double activation = 0.0;          // as the behaviour reported it
+  double strength = 0.0;            // as the behaviour reported it
+  Status status = Status::running;  // as the behaviour reported it
+  double weight = 0.0;              // the factor of its command in the sum; negative only for a
+                                    // negative priority
+  double share = 0.0;               // its part in the result, in [0, 1]
+  int inhibited_by = -1;            // index of the member that silenced it; -1: none
+  double time_s = 0.0;  // duration of respond() on the clock; 0 unless it is being measured
+  std::string reason;   // one or two words: "highest priority"
 };
 
 /// One behaviour as its coordinator sees it.
@@ -46,6 +48,8 @@ class Member {
     virtual void rate(Member& member, std::span<const Motion> candidates,
                       std::span<double> desirability) = 0;
     virtual CommandSets command_sets(Member& member) = 0;
+    virtual std::span<const PublishedNumber> published(const Member& member) const = 0;
+    virtual double published(const Member& member, std::size_t number) const = 0;
 
    protected:
     ~Runner() = default;
@@ -68,6 +72,7 @@ class Member {
       trace.command = response_->command;
       trace.activation = response_->activation;
       trace.strength = response_->strength;
+      trace.status = response_->status;
     }
     return *response_;
   }
@@ -82,6 +87,11 @@ class Member {
     respond();
     return runner_->command_sets(*this);
   }
+
+  /// The numbers that the behaviour's declaration publishes.
+  std::span<const PublishedNumber> published() const { return runner_->published(*this); }
+  /// One of them as it is now, by its index; NaN: there is none.
+  double published(std::size_t number) const { return runner_->published(*this, number); }
 
   TraceRow trace;
 
@@ -126,6 +136,15 @@ class Coordinator : public Component {
   /// were asked and are not inhibited, then those that only act, each in file order. The default is
   /// greatest_priority().
   virtual std::size_t resolve(std::string_view actuator, std::span<const ActuatorWish> wishes);
+
+  /// How it stands after coordinate(), for a coordinator inside a behaviour; the default is
+  /// running.
+  virtual Status status() const { return Status::running; }
+
+  /// What it shows of its inside; the default is nothing. Called after equipped().
+  virtual Graph graph() const { return {}; }
+  /// What the nodes of the graph are in this control period. All are dark before.
+  virtual void light(std::span<Light> /*nodes*/) const {}
 
   /// How good each candidate command would be for the members together, in [0, 1]; for a
   /// coordinator inside a behaviour. `given` is the answer of coordinate() in this step. The

@@ -73,6 +73,7 @@ struct ParameterDeclaration {
 struct ElementValue {
   std::string element;  // its name
   std::map<std::string, ParameterValue> parameters;
+  std::vector<ElementValue> elements{};  // inside it
 
   friend bool operator==(const ElementValue&, const ElementValue&) = default;
 };
@@ -83,8 +84,11 @@ struct ElementDeclaration {
   std::string name;
   std::string meaning;
   std::vector<ParameterDeclaration> parameters;  // `set` and `get` are empty
-  std::size_t list = 0;                          // which of the plugin's lists it belongs to
+  std::vector<ElementDeclaration> elements{};    // that may stand inside it
+  bool nests = false;       // those of its own list may stand inside it, too, to any depth
+  std::size_t list = 0;     // which of the lists of what holds it
   bool is_of_kind = false;  // every plugin of this kind has it: <noise>, <failure>
+  // Of a plugin's own elements; empty for those inside them.
   /// Empties the list: elements in a file replace the default elements.
   std::function<void(Component&)> clear;
   std::function<void(Component&, const ElementValue&)> append;

@@ -44,15 +44,18 @@ struct ElementItem {
   std::string name;
   std::string meaning;
   std::vector<ParameterDeclaration> parameters;
-  std::function<Item(const ElementValue&)> make;
+  std::vector<ElementDeclaration> elements;       // of lists inside it
+  std::vector<Item> Item::*nested = nullptr;      // elements of its own list inside it
+  std::string Item::*name_member = nullptr;       // gets its name
+  std::function<Item(const ElementValue&)> make;  // without what is nested
   std::function<ElementValue(const Item&)> tell;
 };
 
 /// An element that stands for one object of the plain struct `Item`; its parameters are bound to
-/// members of that struct, like a plugin's to members of its class.
-template <class Item, class... Values>
-ElementItem<Item> element(const char* name, const char* meaning,
-                          ParameterItem<Item, Values>... parameters);
+/// members of that struct, like a plugin's to members of its class. Besides parameter(), its items
+/// may be elements(), nests() and element_name().
+template <class Item, class... Items>
+ElementItem<Item> element(const char* name, const char* meaning, Items... items);
 
 template <class Class, class Value, class... Items>
 struct ElementsItem {
@@ -60,12 +63,35 @@ struct ElementsItem {
   std::tuple<ElementItem<Items>...> items;
 };
 
-/// A list of nested elements, bound to a member of the plugin's class: a std::vector of the struct
-/// that element() describes, or of a std::variant of several such structs.
+/// A list of nested elements, bound to a member of the plugin's class, or of the struct of an
+/// element: a std::vector of the struct that element() describes, or of a std::variant of several
+/// such structs.
 template <class Class, class Value, class... Items>
 ElementsItem<Class, Value, Items...> elements(std::vector<Value> Class::*list,
                                               ElementItem<Items>... items) {
   return {list, {std::move(items)...}};
+}
+
+template <class Item>
+struct NestsItem {
+  std::vector<Item> Item::*member;
+};
+/// Of an element: the elements of its own list may stand inside it, too, to any depth. All elements
+/// of such a list stand for objects of one struct.
+template <class Item>
+NestsItem<Item> nests(std::vector<Item> Item::*member) {
+  return {member};
+}
+
+template <class Item>
+struct ElementNameItem {
+  std::string Item::*member;
+};
+/// Of an element: the member gets its name, for a list whose elements of several names stand for
+/// objects of one struct.
+template <class Item>
+ElementNameItem<Item> element_name(std::string Item::*member) {
+  return {member};
 }
 
 template <class Class>
@@ -168,8 +194,9 @@ inline auto names_field(std::string_view parameter) {
 }
 
 /// A text parameter of a behaviour, a coordinator or a rule that names an event, or the parameter
-/// of a nested element: names_event("event/name"). A world is refused if nothing in it raises that:
-/// for behaviours and coordinators the simulator, a rule or a behaviour of the robot. Empty: none.
+/// of the elements of a name inside it, at any depth: names_event("event/name"). A world is refused
+/// if nothing in it raises that: for behaviours and coordinators the simulator, a rule or a
+/// behaviour of the robot. Empty: none.
 inline auto names_event(std::string_view parameter) {
   return [=](Declaration& declaration) { declaration.event_parameters.emplace_back(parameter); };
 }
@@ -268,43 +295,95 @@ void apply(Declaration& declaration, const Plugin& defaults, ParameterItem<Class
     return to_value(static_cast<const Plugin&>(object).*member);
   };
 }
-template <class Plugin, class Class, class Value, class Item>
-void apply_element(Declaration& declaration, std::vector<Value> Class::*list, std::size_t number,
-                   const ElementItem<Item>& item) {
-  ElementDeclaration& element = declaration.elements.emplace_back();
-  element.name = item.name;
-  element.meaning = item.meaning;
-  element.parameters = item.parameters;
-  element.list = number;
-  element.clear = [list](Component& object) { (static_cast<Plugin&>(object).*list).clear(); };
-  element.append = [list, make = item.make](Component& object, const ElementValue& value) {
-    (static_cast<Plugin&>(object).*list).push_back(make(value));
-  };
-}
-/// Appends the element that stands for an object of a list.
-template <class Value, class Item>
-void tell(const Value& value, const ElementItem<Item>& item, std::vector<ElementValue>& told) {
-  if constexpr (std::is_same_v<Value, Item>) {
-    told.push_back(item.tell(value));
-  } else if (const Item* alternative = std::get_if<Item>(&value)) {
-    told.push_back(item.tell(*alternative));
+
+/// How the elements of a list become objects, and back.
+template <class Value, class... Items>
+class ElementList {
+ public:
+  explicit ElementList(const std::tuple<ElementItem<Items>...>& items) : items_(items) {}
+
+  /// Their declarations, as the list of this number, without `clear` and `append`.
+  std::vector<ElementDeclaration> declared(std::size_t number) const {
+    std::vector<ElementDeclaration> all;
+    each([&](const auto& item) {
+      ElementDeclaration& element = all.emplace_back();
+      element.name = item.name;
+      element.meaning = item.meaning;
+      element.parameters = item.parameters;
+      element.elements = item.elements;
+      element.nests = item.nested != nullptr;
+      element.list = number;
+    });
+    return all;
   }
-}
+  /// Appends the object of an element, if it is one of these.
+  void append(const ElementValue& value, std::vector<Value>& list) const {
+    each([&](const auto& item) {
+      if (item.name == value.element) list.push_back(made(item, value));
+    });
+  }
+  /// Appends the element that stands for an object.
+  void tell(const Value& value, std::vector<ElementValue>& told) const {
+    each([&](const auto& item) {
+      if (const auto* const own = as(item, value)) told.push_back(told_of(item, *own));
+    });
+  }
+
+ private:
+  template <class Visit>
+  void each(const Visit& visit) const {
+    std::apply([&](const auto&... item) { (visit(item), ...); }, items_);
+  }
+  template <class Item>
+  Item made(const ElementItem<Item>& item, const ElementValue& value) const {
+    Item object = item.make(value);
+    if constexpr (std::is_same_v<Value, Item>) {
+      if (item.nested) {
+        for (const ElementValue& inner : value.elements) append(inner, object.*item.nested);
+      }
+    }
+    return object;
+  }
+  template <class Item>
+  ElementValue told_of(const ElementItem<Item>& item, const Item& object) const {
+    ElementValue value = item.tell(object);
+    if constexpr (std::is_same_v<Value, Item>) {
+      if (item.nested) {
+        for (const Item& inner : object.*item.nested) tell(inner, value.elements);
+      }
+    }
+    return value;
+  }
+  /// The object as such an element describes it; null: another one does.
+  template <class Item>
+  static const Item* as(const ElementItem<Item>& item, const Value& value) {
+    if constexpr (std::is_same_v<Value, Item>) {
+      return !item.name_member || value.*item.name_member == item.name ? &value : nullptr;
+    } else {
+      return std::get_if<Item>(&value);
+    }
+  }
+
+  std::tuple<ElementItem<Items>...> items_;
+};
+
 template <class Plugin, class Class, class Value, class... Items>
 void apply(Declaration& declaration, const Plugin& defaults,
            ElementsItem<Class, Value, Items...> item) {
   static_assert(std::is_base_of_v<Class, Plugin>,
                 "a list of elements must be a member of the plugin's class");
+  const auto list = item.list;
+  const auto elements = std::make_shared<ElementList<Value, Items...>>(item.items);
   const std::size_t number =
       declaration.elements.empty() ? 0 : declaration.elements.back().list + 1;
-  std::apply(
-      [&](const auto&... each) {
-        (apply_element<Plugin>(declaration, item.list, number, each), ...);
-        for (const Value& value : defaults.*(item.list)) {
-          (tell(value, each, declaration.default_elements), ...);
-        }
-      },
-      item.items);
+  for (ElementDeclaration& element : elements->declared(number)) {
+    element.clear = [list](Component& object) { (static_cast<Plugin&>(object).*list).clear(); };
+    element.append = [list, elements](Component& object, const ElementValue& value) {
+      elements->append(value, static_cast<Plugin&>(object).*list);
+    };
+    declaration.elements.push_back(std::move(element));
+  }
+  for (const Value& value : defaults.*list) elements->tell(value, declaration.default_elements);
 }
 template <class Plugin, class Class>
 void apply(Declaration& declaration, const Plugin&, HoldsItem<Class> item) {
@@ -331,31 +410,70 @@ void apply(Declaration& declaration, const Plugin&, const Item& item) {
 
 }  // namespace detail
 
-template <class Item, class... Values>
-ElementItem<Item> element(const char* name, const char* meaning,
-                          ParameterItem<Item, Values>... parameters) {
-  ElementItem<Item> item;
-  item.name = name;
-  item.meaning = meaning;
-  const Item defaults{};
-  (item.parameters.push_back(detail::describe(defaults, parameters)), ...);
-  item.make = [parameters...](const ElementValue& value) {
-    Item made{};
-    const auto set = [&](const auto& parameter) {
-      if (const auto given = value.parameters.find(parameter.name);
-          given != value.parameters.end()) {
-        detail::from_value(given->second, made.*(parameter.member));
-      }
-    };
-    (set(parameters), ...);
+namespace detail {
+
+/// Adds an item to an element, whose `make` and `tell` are so far those of the items before.
+template <class Item, class Value>
+void add(ElementItem<Item>& element, ParameterItem<Item, Value> parameter) {
+  element.parameters.push_back(describe(Item{}, parameter));
+  element.make = [before = element.make, parameter](const ElementValue& value) {
+    Item made = before(value);
+    if (const auto given = value.parameters.find(parameter.name); given != value.parameters.end()) {
+      from_value(given->second, made.*(parameter.member));
+    }
     return made;
   };
-  item.tell = [name = item.name, parameters...](const Item& told) {
-    ElementValue value{name, {}};
-    (value.parameters.emplace(parameters.name, detail::to_value(told.*(parameters.member))), ...);
+  element.tell = [before = element.tell, parameter](const Item& told) {
+    ElementValue value = before(told);
+    value.parameters.emplace(parameter.name, to_value(told.*(parameter.member)));
     return value;
   };
-  return item;
+}
+template <class Item, class Value, class... Items>
+void add(ElementItem<Item>& element, ElementsItem<Item, Value, Items...> item) {
+  const std::size_t number = element.elements.empty() ? 0 : element.elements.back().list + 1;
+  const auto elements = std::make_shared<ElementList<Value, Items...>>(item.items);
+  for (ElementDeclaration& inner : elements->declared(number)) {
+    element.elements.push_back(std::move(inner));
+  }
+  element.make = [before = element.make, list = item.list, elements](const ElementValue& value) {
+    Item made = before(value);
+    std::vector<Value> given;
+    for (const ElementValue& inner : value.elements) elements->append(inner, given);
+    if (!given.empty()) made.*list = std::move(given);
+    return made;
+  };
+  element.tell = [before = element.tell, list = item.list, elements](const Item& told) {
+    ElementValue value = before(told);
+    for (const Value& inner : told.*list) elements->tell(inner, value.elements);
+    return value;
+  };
+}
+template <class Item>
+void add(ElementItem<Item>& element, NestsItem<Item> item) {
+  element.nested = item.member;
+}
+template <class Item>
+void add(ElementItem<Item>& element, ElementNameItem<Item> item) {
+  element.name_member = item.member;
+  element.make = [before = element.make, item](const ElementValue& value) {
+    Item made = before(value);
+    made.*(item.member) = value.element;
+    return made;
+  };
+}
+
+}  // namespace detail
+
+template <class Item, class... Items>
+ElementItem<Item> element(const char* name, const char* meaning, Items... items) {
+  ElementItem<Item> made;
+  made.name = name;
+  made.meaning = meaning;
+  made.make = [](const ElementValue&) { return Item{}; };
+  made.tell = [name = made.name](const Item&) { return ElementValue{name, {}}; };
+  (detail::add(made, std::move(items)), ...);
+  return made;
 }
 
 /// The declaration of a plugin class; the ELSIE_... macros call this.

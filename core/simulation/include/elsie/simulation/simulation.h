@@ -135,6 +135,14 @@ struct TracedMember {
   const Member* member = nullptr;
 };
 
+/// The graph of a coordinator, as of the last decision.
+struct LitGraph {
+  std::string path;         // ids, outermost first: "arbiter_states", "explore/arbiter_tree"
+  std::string_view plugin;  // the coordinator's
+  Graph graph;
+  std::vector<Light> lights;  // of its nodes
+};
+
 /// An inference of a behaviour or coordinator in the last decision.
 struct MadeInference {
   std::string path;  // ids, outermost first: "explore/avoid_obstacle"
@@ -267,6 +275,8 @@ class Simulation {
   /// The inferences of the last decision, from the robot's plugins that derive from Infers and were
   /// asked. Throws PluginFault.
   std::vector<MadeInference> inferences(std::size_t robot) const;
+  /// The graphs of its coordinators that show one, at any depth. Throws PluginFault.
+  std::vector<LitGraph> graphs(std::size_t robot) const;
   /// The present frame of a sensor in the world.
   Frame sensor_frame(std::size_t robot, std::size_t index) const;
   /// The number of vehicles that a robot pulls: those of its drive, then its segments.

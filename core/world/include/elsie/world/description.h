@@ -198,10 +198,16 @@ struct FileName {
 };
 
 /// An element nested in a plugin's element.
-struct ElementUse : ElementValue {
+struct ElementUse {
+  std::string element;  // its name
+  std::map<std::string, ParameterValue> parameters;
   std::map<std::string, FileName> file_names;  // of file parameters that are not empty
+  std::vector<ElementUse> elements;            // inside it
   Location location;
 };
+
+/// What they give a plugin.
+std::vector<ElementValue> values_of(const std::vector<ElementUse>& elements);
 
 /// The use of a plugin, with the parameters that the file sets; the others keep their defaults.
 struct PluginUse {

@@ -27,7 +27,7 @@ class WorldTree {
     std::size_t robot_index = 0;        // of that robot in the world
     const PluginUse* use = nullptr;     // whose element it is, or is nested in; null if none
     std::optional<PluginKind> kind;     // of that plugin
-    std::optional<std::size_t> nested;  // the index in PluginUse::elements
+    std::vector<std::size_t> nested;    // the way to it from PluginUse::elements, or empty
     bool is_listed = false;             // true: it has a meaning even without attributes
   };
 
@@ -55,7 +55,7 @@ class WorldTree {
   Element begin(const ElementSpec& spec, Meaning meaning, const std::string& id);
   void add_children(Element& element, const ElementSpec& spec, const void* object,
                     const Meaning& meaning);
-  void add_declared(Element& element, const Meaning& meaning);
+  void add_declared(Element& element, const Meaning& meaning, const std::vector<ElementUse>& uses);
   std::string path(std::size_t meaning) const;
   std::string text(Element& element, std::size_t depth);
 

@@ -55,6 +55,8 @@ class Team final : private Member::Runner {
   /// Sets the function that rates how desirable a command is, in [0, 1].
   Team& rating(std::function<double(const Motion&)> rating);
   Team& sets(CommandSets sets);
+  /// Adds a number that it publishes.
+  Team& publishes(const std::string& name, std::function<double()> value);
 
   /// Begins the next step: each member is asked again, and the coordinator's notes are cleared.
   Team& next_step();
@@ -80,16 +82,26 @@ class Team final : private Member::Runner {
   void rate(Member& member, std::span<const Motion> candidates,
             std::span<double> desirability) override;
   CommandSets command_sets(Member& member) override;
+  std::span<const PublishedNumber> published(const Member& member) const override {
+    return slot_of(member).published;
+  }
+  double published(const Member& member, std::size_t number) const override {
+    const Slot& slot = slot_of(member);
+    return slot.published.at(number).get(slot.behavior);
+  }
 
   struct Slot {
     std::string name;
     MadeUp behavior;
     Response last;
+    std::vector<PublishedNumber> published;
   };
 
-  Slot& slot_of(const Member& member) {
-    return slots_[static_cast<std::size_t>(&member - members_.data())];
+  std::size_t place_of(const Member& member) const {
+    return static_cast<std::size_t>(&member - members_.data());
   }
+  Slot& slot_of(const Member& member) { return slots_[place_of(member)]; }
+  const Slot& slot_of(const Member& member) const { return slots_[place_of(member)]; }
   std::size_t index_of(const std::string& name) const;
 
   std::deque<Slot> slots_;
