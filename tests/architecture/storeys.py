@@ -11,8 +11,9 @@ MAY_NEED = {
     "lib/libelsie-base.so": set(),
     "lib/libelsie.so": {"libelsie-base", "libexpat"},
     "lib/libelsie-files.so": {"libelsie-base"},
+    "lib/libelsie-formula.so": {"libelsie-base", "libmuparser"},
     "lib/libelsie-inference.so": {"libelsie-base", "libelsie-files"},
-    "lib/libelsie-workshop.so": {"libelsie-base", "libelsie-files", "libelsie", "libelsie-inference"},
+    "lib/libelsie-workshop.so": {"libelsie-base", "libelsie-files", "libelsie", "libelsie-formula", "libelsie-inference"},
     "lib/libelsie-editing.so": {"libelsie-base", "libelsie"},
     "lib/libelsie-render.so": {"libelsie-base", "libelsie", "libepoxy"},
     "lib/libelsie-views.so": {"libelsie-base", "libelsie-files", "libelsie", "libcairo", "libzstd", "libz"},
@@ -20,8 +21,8 @@ MAY_NEED = {
     "lib/libelsie-session.so": {"libelsie-base"},
     "lib/libelsie-server.so": {"libelsie-base", "libelsie-files", "libelsie", "libelsie-editing", "libelsie-session", "libelsie-render", "libelsie-views",
                                 "libelsie-workshop"},
-    "lib/libelsie-experiments.so": {"libelsie-base", "libelsie", "libelsie-render", "libelsie-workshop", "libmuparser"},
-    "lib/libelsie-studies.so": {"libelsie-base", "libelsie-files", "libelsie", "libelsie-render", "libelsie-views", "libelsie-workshop", "libelsie-experiments", "libsqlite3",
+    "lib/libelsie-experiments.so": {"libelsie-base", "libelsie", "libelsie-formula", "libelsie-render", "libelsie-workshop"},
+    "lib/libelsie-studies.so": {"libelsie-base", "libelsie-files", "libelsie", "libelsie-render", "libelsie-views", "libelsie-workshop", "libelsie-experiments", "libelsie-formula", "libsqlite3",
                                  "libcrypto"},
     "lib/libelsie-vision.so": {"libelsie-base", "libelsie", "libopencv_core", "libopencv_imgproc"},
     "lib/elsie/images.so": {"libelsie-base", "libelsie", "libpng16"},
@@ -36,7 +37,7 @@ MAY_NEED = {
 }
 OPTIONAL = {"bin/elsie-desktop"}
 PLUGINS = {"libelsie-base", "libelsie", "libelsie-inference"}
-EXCEPTIONS = {}  # by plugin: the libraries of others that it may need
+EXCEPTIONS = {"arbiter_states": {"libelsie-formula"}, "arbiter_tree": {"libelsie-formula"}}  # by plugin: the libraries of others that it may need
 
 # The libraries that must come with no storey by a detour: those above, and these; and what some of them bring themselves.
 UNWANTED = {"libGL", "libEGL"}
@@ -52,6 +53,7 @@ MODULES = {
     "libelsie-base": ["base", "shapes"],
     "libelsie": ["api", "plugin", "world", "physics", "simulation"],
     "libelsie-files": ["files"],
+    "libelsie-formula": ["formula"],
     "libelsie-inference": ["fuzzy", "neural"],
     "libelsie-workshop": ["process", "build", "reference"],
     "libelsie-editing": ["editing"],

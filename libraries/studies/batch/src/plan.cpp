@@ -12,8 +12,8 @@
 
 #include "elsie/experiment/plugin_uses.h"
 #include "elsie/experiment/reader.h"
-#include "elsie/plugin/declared_element.h"
 #include "elsie/plugin/abi_word.h"
+#include "elsie/plugin/declared_element.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/results/hash.h"

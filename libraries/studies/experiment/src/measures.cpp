@@ -1,6 +1,8 @@
 #include "measures.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -8,12 +10,14 @@
 #include <string>
 
 #include "elsie/base/near_name.h"
-#include "elsie/experiment/formula.h"
+#include "elsie/experiment/formula_names.h"
+#include "elsie/formula/formula.h"
 
 namespace elsie::experiment {
 
 namespace {
 
+using formula::Formula;
 using Names = std::vector<std::string>;
 
 bool is_in(const Names& names, const std::string& name) {
@@ -230,6 +234,18 @@ std::vector<std::string> shown_measures(const std::vector<MeasureUse>& uses) {
                    [](const MeasureUse& use) { return use.name; });
   }
   return names;
+}
+
+bool is_of_every_run(const std::string& name) {
+  return name == "robots" || name == "minute" || name == "minutes";
+}
+
+std::optional<double> number_in(const std::string& label) {
+  double number = 0.0;
+  const char* const end = label.data() + label.size();
+  const auto [read, error] = std::from_chars(label.data(), end, number);
+  return error == std::errc() && read == end && std::isfinite(number) ? std::optional(number)
+                                                                      : std::nullopt;
 }
 
 }  // namespace elsie::experiment

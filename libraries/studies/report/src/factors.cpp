@@ -6,7 +6,7 @@
 #include <numeric>
 #include <set>
 
-#include "elsie/experiment/formula.h"
+#include "elsie/experiment/formula_names.h"
 
 #include "numbers.h"
 

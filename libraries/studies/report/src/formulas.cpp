@@ -8,7 +8,8 @@
 #include <optional>
 
 #include "elsie/base/words.h"
-#include "elsie/experiment/formula.h"
+#include "elsie/experiment/formula_names.h"
+#include "elsie/formula/formula.h"
 #include "elsie/report/findings.h"
 
 #include "goals.h"
@@ -34,9 +35,9 @@ std::optional<std::size_t> place_in(const List& list, const std::string& name) {
 }
 
 // Empty when the results lack a name.
-std::vector<Source> sources_of(const experiment::Formula& formula, const Results& results) {
+std::vector<Source> sources_of(const formula::Formula& formula, const Results& results) {
   std::vector<Source> sources;
-  for (const experiment::Formula::Name& name : formula.names()) {
+  for (const formula::Formula::Name& name : formula.names()) {
     Source source{place_in(results.measures, name.text), place_in(results.factors, name.text)};
     if (!source.measure && !source.factor && name.text != "robots") {
       source = {place_in(results.measures, kTime), {}, 60.0};
@@ -82,7 +83,7 @@ class Longer {
   enum class Course { constant, rising, falling, other };
 
   // How a formula depends on the time. Adds its values.
-  Course add(const experiment::Formula& formula, const std::vector<Source>& sources,
+  Course add(const formula::Formula& formula, const std::vector<Source>& sources,
              const CellInfo& cell, const Run& run) {
     bool rises = false, falls = false, unknown = false;
     for (Values& values : cases_) {
@@ -133,7 +134,7 @@ class Bounds {
 
   // Marks the formula's values that are bounds, and takes those away of which nothing is known:
   // returns how many.
-  std::uint64_t judge(const experiment::Formula& formula, const std::vector<Source>& sources,
+  std::uint64_t judge(const formula::Formula& formula, const std::vector<Source>& sources,
                       Results& results) {
     // A formula that falls with the time, and names another measure, is a rate: it describes the
     // time that the run took.
@@ -173,7 +174,7 @@ std::vector<std::string> add_formulas(Results& results,
     if (use.formula.empty()) {
       continue;
     }
-    const experiment::Formula formula(use.formula);
+    const formula::Formula formula(use.formula);
     const std::vector<Source> sources = sources_of(formula, results);
     if (sources.empty()) {
       continue;

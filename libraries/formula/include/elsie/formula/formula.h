@@ -1,4 +1,5 @@
-// A measure that is computed from others: "collisions / robots / minute".
+// A number that is computed from others: "collisions / robots / minute"; and conditions:
+// "battery < 0.2 or not(leader_seen)".
 #pragma once
 
 #include <cstddef>
@@ -8,16 +9,20 @@
 #include <string>
 #include <vector>
 
-namespace elsie::experiment {
+namespace elsie::formula {
 
 /// Numbers, names, + - * / ^ ( ), and the functions min, max (of any number of values), abs, sqrt,
 /// log (natural) and exp. ^ binds from the right and closer than a sign: -2^2 is -4. A name is a
 /// letter or "_", then letters, digits, "_" and ".".
+///
+/// A condition has, besides, < <= > >= == !=, `and`, `or` and the function not, whose values are 1
+/// (true) and 0; any number but 0 is true. What is compared with no number is false.
 class Formula {
  public:
+  enum class Kind { number, condition };
   /// Throws std::invalid_argument with what was found at which column of the text, from 1, and what
   /// was expected.
-  explicit Formula(const std::string& text);
+  explicit Formula(const std::string& text, Kind kind = Kind::number);
   ~Formula();
   Formula(Formula&&) noexcept;
   Formula& operator=(Formula&&) noexcept;
@@ -33,17 +38,12 @@ class Formula {
   /// The value for these values of the names, in their order; none where a division by 0, the
   /// logarithm or the root of a negative number, or a number beyond all bounds is in it.
   std::optional<double> value(std::span<const double> values) const;
+  /// Whether the value is there and not 0.
+  bool is_true(std::span<const double> values) const { return value(values).value_or(0.0) != 0.0; }
 
  private:
   struct Parser;
   std::unique_ptr<Parser> parser_;
 };
 
-/// Whether a formula may use this name whatever is measured: `robots`, those of the run at its end,
-/// and `minute` or `minutes`, the simulated time of the run by 60 s.
-bool is_of_every_run(const std::string& name);
-
-/// The number that a label is: "0.25"; none for any other text.
-std::optional<double> number_in(const std::string& label);
-
-}  // namespace elsie::experiment
+}  // namespace elsie::formula

@@ -1,9 +1,9 @@
-// Formulas of measures: what they mean, and which texts are none.
+// Formulas and conditions: what they mean, and which texts are none.
 #include <catch2/catch.hpp>
 
-#include "elsie/experiment/formula.h"
+#include "elsie/formula/formula.h"
 
-using elsie::experiment::Formula;
+using elsie::formula::Formula;
 
 namespace {
 
@@ -90,12 +90,62 @@ TEST_CASE("A mistake is named with its column and with what was expected") {
   CHECK_THAT(mistake(std::string(1001, 'a')), Catch::Contains("longer than 1000 characters"));
 }
 
-TEST_CASE("A label is a number only as a whole") {
-  using elsie::experiment::number_in;
-  CHECK(number_in("0.25") == 0.25);
-  CHECK(number_in("-3e2") == -300.0);
-  for (const char* word : {"", "fast", "2 2", "3 m", "inf", "nan", "0x10", " 1"}) {
-    CAPTURE(word);
-    CHECK_FALSE(number_in(word));
+namespace {
+
+bool holds(const std::string& text, double a = 2.0, double b = 3.0) {
+  const Formula condition(text, Formula::Kind::condition);
+  std::vector<double> values;
+  for (const Formula::Name& name : condition.names()) values.push_back(name.text == "a" ? a : b);
+  return condition.is_true(values);
+}
+
+std::string mistake_in_condition(const std::string& text) {
+  try {
+    const Formula condition(text, Formula::Kind::condition);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
   }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("Conditions compare, and join what is compared") {
+  CHECK(holds("a < b"));
+  CHECK_FALSE(holds("a > b"));
+  CHECK(holds("a <= 2 and b >= 3"));
+  CHECK_FALSE(holds("a < 2 or b > 3"));
+  CHECK(holds("a == 2 and b != 2"));
+  CHECK(holds("not(a > b)"));
+  CHECK(holds("a + 1 < b + 1 and min(a, b) == a"));  // sums bind closer than comparisons
+  CHECK(holds("a > b or a < b and b > 0"));          // `and` closer than `or`
+  CHECK_FALSE(holds("(a < b or a > b) and b < 0"));
+  CHECK(holds("a"));
+  CHECK_FALSE(holds("a", 0.0));
+  CHECK(holds("android < oracle", 2.0, 3.0) == false);  // names that begin like an operator
+}
+
+TEST_CASE("What is compared with no number is false") {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  for (const char* text : {"a < 1", "a > 1", "a == 1", "a != 1", "a <= 1", "a", "a and 1"}) {
+    CAPTURE(text);
+    CHECK_FALSE(holds(text, none));
+    CHECK_FALSE(holds("1 / 0 < 1"));
+  }
+  CHECK(holds("not(a > 1)", none));
+  CHECK(holds("a > 1 or b > 1", none));
+}
+
+TEST_CASE("A formula compares nothing, and a condition that is wrong is refused in words") {
+  CHECK_THAT(mistake("a < b"), Catch::StartsWith("column 3: unexpected '<'"));
+  CHECK_THAT(mistake("not(a)"), Catch::StartsWith("column 1: there is no function 'not'"));
+  CHECK_THAT(mistake_in_condition("a <"), Catch::StartsWith("column 4: "));
+  CHECK_THAT(mistake_in_condition("a and"), Catch::StartsWith("column 6: "));
+  CHECK_THAT(mistake_in_condition("and b"), Catch::StartsWith("column 1: "));
+  CHECK_THAT(mistake_in_condition("a = b"), Catch::StartsWith("column 3: "));
+  CHECK_THAT(mistake_in_condition("a & b"), Catch::StartsWith("column 3: unexpected '&'"));
+  CHECK_THAT(mistake_in_condition("not a"), Catch::StartsWith("column 1: 'not' is a function"));
+  CHECK_THAT(mistake_in_condition("sin(a)"),
+             Catch::Contains("there are: min, max, abs, sqrt, log, exp, not"));
+  CHECK_THAT(mistake_in_condition(""), Catch::StartsWith("column 1: the formula is empty"));
 }

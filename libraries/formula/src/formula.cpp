@@ -1,6 +1,6 @@
 // Parsing and computing are muparser's (https://beltoforion.de/en/muparser); its operators and
 // functions are replaced by our own, so that a value that is none stays none, as in min(1, 1 / 0).
-#include "elsie/experiment/formula.h"
+#include "elsie/formula/formula.h"
 
 #include <algorithm>
 #include <array>
@@ -15,12 +15,16 @@
 #include "elsie/base/utf8.h"
 #include "elsie/base/words.h"
 
-namespace elsie::experiment {
+namespace elsie::formula {
 
 namespace {
 
 constexpr std::size_t kLongest = 1000;
-constexpr std::array<std::string_view, 6> kFunctions{"min", "max", "abs", "sqrt", "log", "exp"};
+constexpr std::array<std::string_view, 7> kFunctions{"min", "max", "abs", "sqrt",
+                                                     "log", "exp", "not"};
+constexpr const char* kNameChars =
+    "0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+using Kind = Formula::Kind;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 [[noreturn]] void fail(std::size_t column, const std::string& message) {
@@ -47,6 +51,28 @@ double root(double a) { return bounded(std::sqrt(a)); }
 double logarithm(double a) { return bounded(std::log(a)); }
 double exponential(double a) { return bounded(std::exp(a)); }
 
+double truth(bool value) { return value ? 1.0 : 0.0; }
+double less(double a, double b) { return truth(a < b); }
+double at_most(double a, double b) { return truth(a <= b); }
+double greater(double a, double b) { return truth(a > b); }
+double at_least(double a, double b) { return truth(a >= b); }
+double equal(double a, double b) { return truth(a == b); }
+double different(double a, double b) { return truth(a < b || a > b); }
+bool is_true(double value) { return value != 0.0 && !std::isnan(value); }
+double both(double a, double b) { return truth(is_true(a) && is_true(b)); }
+double either(double a, double b) { return truth(is_true(a) || is_true(b)); }
+double opposite(double a) { return truth(!is_true(a)); }
+
+/// The functions of such a formula: "min, max".
+std::string functions(Kind kind) {
+  const std::size_t count = kFunctions.size() - (kind == Kind::condition ? 0 : 1);
+  return base::listed(std::vector<std::string>(kFunctions.begin(), kFunctions.begin() + count));
+}
+bool is_function_of(Kind kind, const std::string& name) {
+  return (kind == Kind::condition || name != "not") &&
+         std::find(kFunctions.begin(), kFunctions.end(), name) != kFunctions.end();
+}
+
 template <class Better>
 double best(const double* values, int count, Better better) {
   double found = values[0];
@@ -66,7 +92,9 @@ double largest(const double* values, int count) {
 }
 
 // Reports what muparser would take or explain badly, and returns the names.
-std::vector<Formula::Name> scanned(const std::string& text) {
+std::vector<Formula::Name> scanned(const std::string& text, Kind kind) {
+  const bool is_condition = kind == Kind::condition;
+  const std::string_view signs = is_condition ? "+-*/^(),<>=! \t\r\n" : "+-*/^(), \t\r\n";
   std::vector<Formula::Name> names;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t begin = at;
@@ -85,11 +113,10 @@ std::vector<Formula::Name> scanned(const std::string& text) {
       const std::string name = text.substr(begin, at - begin);
       const std::size_t next = text.find_first_not_of(" \t\r\n", at);
       const bool called = next != std::string::npos && text[next] == '(';
-      const bool is_function =
-          std::find(kFunctions.begin(), kFunctions.end(), name) != kFunctions.end();
+      if (is_condition && (name == "and" || name == "or")) continue;
+      const bool is_function = is_function_of(kind, name);
       if (called && !is_function) {
-        fail(begin + 1,
-             "there is no function '" + name + "'; there are: min, max, abs, sqrt, log, exp");
+        fail(begin + 1, "there is no function '" + name + "'; there are: " + functions(kind));
       }
       if (!called && is_function) {
         fail(begin + 1, "'" + name + "' is a function; expected \"(\" after it");
@@ -98,12 +125,15 @@ std::vector<Formula::Name> scanned(const std::string& text) {
                                        [&](const auto& other) { return other.text == name; })) {
         names.push_back({name, begin + 1});
       }
-    } else if (std::string_view("+-*/^(), \t\r\n").find(text[at]) != std::string_view::npos) {
+    } else if (signs.find(text[at]) != std::string_view::npos) {
       ++at;
     } else {
       at += std::max<std::size_t>(base::character_at(text, at).bytes, 1);
       fail(begin + 1, "unexpected " + base::in_quotes(text.substr(begin, at - begin)) +
-                          "; a formula has numbers, names, + - * / ^ ( ) and \",\"");
+                          (is_condition ? "; a condition has numbers, names, + - * / ^ ( ), < <= > "
+                                          ">= == !=, and, or, not()"
+                                        : "; a formula has numbers, names, + - * / ^ ( ) and "
+                                          "\",\""));
     }
   }
   return names;
@@ -115,7 +145,7 @@ std::size_t place_of(const mu::Parser::exception_type& error, const std::string&
 }
 
 // What is wrong, as the end of a sentence.
-std::string reason(const mu::Parser::exception_type& error, const std::string& text) {
+std::string reason(const mu::Parser::exception_type& error, const std::string& text, Kind kind) {
   constexpr const char* kTooEarly =
       "the formula ends too early; expected a number, a name or \"(\"";
   switch (error.GetCode()) {
@@ -145,7 +175,8 @@ std::string reason(const mu::Parser::exception_type& error, const std::string& t
   }
   const bool is_word = is_further(text[at]);
   return "unexpected \"" + (is_word ? error.GetToken() : text.substr(at, 1)) +
-         "\"; expected an operator, + - * / or ^, between two values";
+         "\"; expected an operator, " +
+         (kind == Kind::condition ? "such as + or <" : "+ - * / or ^") + ", between two values";
 }
 
 }  // namespace
@@ -156,19 +187,19 @@ struct Formula::Parser {
   mu::Parser parser;
 };
 
-Formula::Formula(const std::string& text) : parser_(std::make_unique<Parser>()) {
+Formula::Formula(const std::string& text, Kind kind) : parser_(std::make_unique<Parser>()) {
   if (text.size() > kLongest) {
     fail(kLongest + 1, "the formula is longer than " + std::to_string(kLongest) +
                            " characters; expected a shorter one");
   }
-  parser_->names = scanned(text);
+  parser_->names = scanned(text, kind);
   parser_->values.assign(parser_->names.size(), 1.0);
   mu::Parser& parser = parser_->parser;
   try {
     parser.ClearConst();
     parser.ClearFun();
     parser.EnableBuiltInOprt(false);
-    parser.DefineNameChars("0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+    parser.DefineNameChars(kNameChars);
     parser.DefineOprt("+", add, mu::prADD_SUB);
     parser.DefineOprt("-", subtract, mu::prADD_SUB);
     parser.DefineOprt("*", multiply, mu::prMUL_DIV);
@@ -180,6 +211,17 @@ Formula::Formula(const std::string& text) : parser_(std::make_unique<Parser>()) 
     parser.DefineFun("sqrt", root);
     parser.DefineFun("log", logarithm);
     parser.DefineFun("exp", exponential);
+    if (kind == Kind::condition) {
+      parser.DefineOprt("<", less, mu::prCMP);
+      parser.DefineOprt("<=", at_most, mu::prCMP);
+      parser.DefineOprt(">", greater, mu::prCMP);
+      parser.DefineOprt(">=", at_least, mu::prCMP);
+      parser.DefineOprt("==", equal, mu::prCMP);
+      parser.DefineOprt("!=", different, mu::prCMP);
+      parser.DefineOprt("and", both, mu::prLAND);
+      parser.DefineOprt("or", either, mu::prLOR);
+      parser.DefineFun("not", opposite);
+    }
     for (std::size_t i = 0; i < parser_->names.size(); ++i) {
       parser.DefineVar(parser_->names[i].text, &parser_->values[i]);
     }
@@ -190,7 +232,7 @@ Formula::Formula(const std::string& text) : parser_(std::make_unique<Parser>()) 
            "unexpected \",\"; it stands between the values of min and max only");
     }
   } catch (const mu::Parser::exception_type& error) {
-    fail(place_of(error, text) + 1, reason(error, text));
+    fail(place_of(error, text) + 1, reason(error, text, kind));
   }
 }
 
@@ -206,16 +248,4 @@ std::optional<double> Formula::value(std::span<const double> values) const {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-bool is_of_every_run(const std::string& name) {
-  return name == "robots" || name == "minute" || name == "minutes";
-}
-
-std::optional<double> number_in(const std::string& label) {
-  double number = 0.0;
-  const char* const end = label.data() + label.size();
-  const auto [read, error] = std::from_chars(label.data(), end, number);
-  return error == std::errc() && read == end && std::isfinite(number) ? std::optional(number)
-                                                                      : std::nullopt;
-}
-
-}  // namespace elsie::experiment
+}  // namespace elsie::formula
