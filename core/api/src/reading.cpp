@@ -105,7 +105,8 @@ void ReadingDeclaration::add(const ReadingField& field, const void* fresh) {
   const bool has_offset = field.is_stored && !field.is_array && field.group.empty();
   fields.push_back({std::string(field.group), std::string(field.name), std::string(field.unit),
                     field.type, field.is_array,
-                    has_offset ? static_cast<std::size_t>(offset) : std::size_t{0}});
+                    has_offset ? static_cast<std::size_t>(offset) : std::size_t{0},
+                    has_offset && field.is_number()});
 }
 
 bool ReadingDeclaration::fits(const ReadingDeclaration& other) const {

@@ -42,7 +42,8 @@ Situation& Situation::view(const VisionReading& reading, double azimuth_deg) {
 }
 
 Situation& Situation::sensed(const ReadingKind& kind, std::shared_ptr<const void> value,
-                             const Mounting& mounting, std::string sensor) {
+                             const Mounting& mounting, std::string sensor,
+                             const ReadingDeclaration* declaration) {
   if (sensor.empty()) {
     const auto before = std::count_if(entries_.begin(), entries_.end(),
                                       [&](const Entry& entry) { return entry.kind == kind; });
@@ -50,7 +51,7 @@ Situation& Situation::sensed(const ReadingKind& kind, std::shared_ptr<const void
   }
   Mounting at = mounting;
   at.azimuth_rad = wrap_angle(at.azimuth_rad);
-  entries_.push_back({kind, std::move(value), at, std::move(sensor)});
+  entries_.push_back({kind, std::move(value), at, std::move(sensor), declaration});
   return *this;
 }
 
@@ -155,7 +156,7 @@ Perception Situation::perception() const {
         v.sensed.push_back({entry->value.get(), &entry->mounting, entry->sensor.c_str()});
       }
     }
-    v.groups.push_back({kind, std::span(v.sensed).subspan(first)});
+    v.groups.push_back({kind, std::span(v.sensed).subspan(first), here->declaration});
   }
   for (const Mate& mate : mates_) {
     v.mates.push_back({mate.id, mate.pose, distance(self.pose, mate.pose),

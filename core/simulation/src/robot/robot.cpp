@@ -204,15 +204,17 @@ void Robot::group_readings() {
   sensed_.reserve(sensors_.size());
   for (const ReadingKind& kind : kinds) {
     const std::size_t first = sensed_.size();
+    const ReadingDeclaration* declaration = nullptr;
     for (std::size_t i = 0; i < sensors_.size(); ++i) {
       if (kind_of[i] == kind) {
         SensorSlot& slot = *sensors_[i];
+        if (!declaration) declaration = &slot.declaration->produces.front();
         slot.sensed = sensed_.size();
         sensed_.push_back({slot.object().reading(), &slot.place->mounting, slot.use->id.c_str(),
                            slot.disturbed ? slot.disturbed->age_s() : 0.0});
       }
     }
-    groups_.push_back({kind, std::span(sensed_).subspan(first)});
+    groups_.push_back({kind, std::span(sensed_).subspan(first), declaration});
   }
   perception_.groups = groups_;
   group_sensors();

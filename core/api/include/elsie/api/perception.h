@@ -105,6 +105,7 @@ struct SensedReading {
 struct ReadingGroup {
   ReadingKind kind;
   std::span<const SensedReading> readings;
+  const ReadingDeclaration* declaration = nullptr;  // of the first of the sensors; null: unknown
 };
 
 /// One reading of a known type: `beam->distance_m`, `beam.azimuth_rad()`.
@@ -210,6 +211,10 @@ class Perception {
     }
     return {};
   }
+  /// All readings, for plugins that find a number by the names of a sensor and of a field.
+  std::span<const ReadingGroup> all_readings() const { return data_->groups; }
+  /// All messages that its actuators hear in this control period, of any type.
+  std::span<const HeardMessage> all_heard() const { return data_->heard; }
   /// The messages of this type that its actuators hear in this control period.
   template <class Content>
   HeardMessages<Content> heard() const {

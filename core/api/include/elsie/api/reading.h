@@ -355,6 +355,7 @@ struct FieldDeclaration {
   FieldType type = FieldType::real64;
   bool is_array = false;
   std::size_t offset = 0;  // bytes from the beginning of the struct; of what is not stored, 0
+  bool is_single = false;  // a number that is stored there
 
   bool operator==(const FieldDeclaration&) const = default;
   /// See ReadingField.

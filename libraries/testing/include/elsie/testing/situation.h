@@ -41,12 +41,14 @@ class Situation {
   }
   template <class Reading>
   Situation& reading(Reading value, const Mounting& mounting, const std::string& sensor = "") {
+    static const ReadingDeclaration declaration = ReadingDeclaration::of<Reading>();
     return sensed(ReadingKind::of<Reading>(), std::make_shared<const Reading>(std::move(value)),
-                  mounting, sensor);
+                  mounting, sensor, &declaration);
   }
-  /// The same without its type. `kind.name` must remain valid.
+  /// The same without its type. `kind.name` and the declaration must remain valid.
   Situation& sensed(const ReadingKind& kind, std::shared_ptr<const void> value,
-                    const Mounting& mounting, std::string sensor = "");
+                    const Mounting& mounting, std::string sensor = "",
+                    const ReadingDeclaration* declaration = nullptr);
   /// Removes all sensors, so that those of the next instant can be added.
   Situation& clear_readings();
 
@@ -117,6 +119,7 @@ class Situation {
     std::shared_ptr<const void> value;
     Mounting mounting;
     std::string sensor;
+    const ReadingDeclaration* declaration;
   };
   struct Mate {
     std::string id;

@@ -1,0 +1,346 @@
+// A finite-state automaton over behaviours: temporal sequencing, after Arkin and MacKenzie,
+// "Temporal coordination of perceptual algorithms for mobile robot navigation", IEEE Transactions
+// on Robotics and Automation 10(3), 1994. States may hold states, as in Harel's statecharts (1987);
+// transitions by chance are those of AutoMoDe (Francesca and others, 2014).
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <elsie/api/remember.h>
+#include <elsie/base/near_name.h>
+
+#include "condition.h"
+#include "winner.h"
+
+namespace {
+
+struct Transition {
+  std::string to;
+  std::string event;
+  std::string when;
+  double after = 0.0;
+  double chance = 1.0;
+};
+
+struct State {
+  std::string name;
+  std::string behavior;
+  std::string ends = "no";
+  std::vector<Transition> transitions;
+  std::vector<State> states;
+};
+
+/// A transition whose names have been looked up.
+struct Way {
+  const Transition* described;
+  std::size_t to = 0;
+  std::optional<Condition> when;
+};
+
+/// A state whose names have been looked up. Inner states come after the one that holds them.
+struct Place {
+  const State* described;
+  std::size_t within;  // the index of the state around it
+  std::optional<std::size_t> first_inside;
+  std::vector<Way> ways;
+  std::optional<std::size_t> member;
+};
+
+constexpr auto kNowhere = static_cast<std::size_t>(-1);  // around the outermost states
+
+std::string quoted(const std::string& name) { return "'" + name + "'"; }
+
+class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
+ public:
+  std::vector<State> states;
+
+  void configured() override {
+    const std::string before = places_.empty() ? "" : places_[now_].described->name;
+    places_.clear();
+    if (states.empty()) throw std::invalid_argument("it has no states; expected <state> inside it");
+    add(states, kNowhere);
+    for (Place& place : places_) resolve(place);
+    now_ = innermost(0);
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if (places_[i].described->name == before && !places_[i].first_inside) now_ = i;
+    }
+  }
+
+  void equipped(std::span<const elsie::Member> members, const elsie::Perception& example) override {
+    unused_.clear();
+    for (const elsie::Member& member : members) unused_.emplace_back(member.name());
+    for (Place& place : places_) {
+      const std::string& behavior = place.described->behavior;
+      if (!behavior.empty()) {
+        place.member = index_of(members, behavior);
+        std::erase(unused_, behavior);
+      }
+      for (Way& way : place.ways) {
+        if (way.when) way.when->equip(members, example);
+      }
+    }
+  }
+
+  void reset(elsie::Random&) override {
+    now_ = innermost(0);
+    since_s_.reset();
+  }
+
+  void remember(elsie::Memory& memory) override {
+    std::string name = places_[now_].described->name;
+    memory("state", name);
+    memory("since", since_s_);
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if (places_[i].described->name == name && !places_[i].first_inside) now_ = i;
+    }
+  }
+
+  elsie::Motion coordinate(std::span<elsie::Member> members,
+                           const elsie::Perception& now) override {
+    if (!since_s_) {
+      since_s_ = now.time_s();
+      entered_s_.assign(places_.size(), now.time_s());
+    } else {
+      leave(members, now);
+    }
+    const Place& place = places_[now_];
+    if (!place.member) return nobody(members, "no behavior in this state");
+    const elsie::Motion command = let_decide(members, *place.member, "", "other state");
+    members[*place.member].trace.reason = "state " + place.described->name;
+    return command;
+  }
+
+  elsie::Status status() const override {
+    const std::string& ends = places_[now_].described->ends;
+    return ends == "success"   ? elsie::Status::success
+           : ends == "failure" ? elsie::Status::failure
+                               : elsie::Status::running;
+  }
+
+  std::vector<std::string> notes() const override {
+    std::vector<std::string> notes;
+    const std::vector<bool> reached = reachable();
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const State& state = *places_[i].described;
+      if (!reached[i]) {
+        notes.push_back("the state " + quoted(state.name) +
+                        " is never reached: no transition leads there");
+      } else if (state.ends == "no" && places_.size() > 1 && !has_exit(i)) {
+        notes.push_back("the state " + quoted(state.name) +
+                        " is never left: neither it nor a state around it has a transition "
+                        "elsewhere; write ends=\"success\" or \"failure\" if this is meant");
+      }
+    }
+    for (const std::string& name : unused_) {
+      notes.push_back("the behavior " + quoted(name) + " is in no state, and never runs");
+    }
+    return notes;
+  }
+
+  elsie::Graph graph() const override {
+    elsie::Graph graph;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      graph.nodes.push_back({places_[i].described->name, static_cast<int>(places_[i].within)});
+      for (const Way& way : places_[i].ways) graph.edges.push_back({i, way.to, words(way)});
+    }
+    return graph;
+  }
+  void light(std::span<elsie::Light> nodes) const override {
+    for (std::size_t i = now_; i != kNowhere; i = places_[i].within) {
+      nodes[i] = elsie::Light::running;
+    }
+  }
+
+  /// The number of the present state, from 1, in the order of the file.
+  double number() const { return static_cast<double>(now_ + 1); }
+
+ private:
+  void add(const std::vector<State>& held, std::size_t within) {
+    for (const State& state : held) {
+      for (const Place& other : places_) {
+        if (other.described->name == state.name) {
+          throw std::invalid_argument("two states are called " + quoted(state.name) +
+                                      "; expected names that differ, also of states in states");
+        }
+      }
+      if (!state.behavior.empty() && !state.states.empty()) {
+        throw std::invalid_argument("the state " + quoted(state.name) +
+                                    " has a behavior and states in it; expected one of them");
+      }
+      const std::size_t own = places_.size();
+      places_.push_back({&state, within, {}, {}, {}});
+      if (!state.states.empty()) places_[own].first_inside = own + 1;
+      add(state.states, own);
+    }
+  }
+
+  void resolve(Place& place) {
+    const std::string of = " of the state " + quoted(place.described->name);
+    for (const Transition& transition : place.described->transitions) {
+      Way way{&transition, 0, {}};
+      const auto to = std::find_if(places_.begin(), places_.end(), [&](const Place& other) {
+        return other.described->name == transition.to;
+      });
+      if (to == places_.end()) {
+        std::vector<std::string> names;
+        for (const Place& other : places_) names.push_back(other.described->name);
+        throw std::invalid_argument("a transition" + of + " leads to " + quoted(transition.to) +
+                                    ", which is no state" +
+                                    elsie::base::near_or_all(transition.to, names, "there are"));
+      }
+      if (transition.event.empty() && transition.when.empty() && transition.after == 0.0 &&
+          transition.chance == 1.0) {
+        throw std::invalid_argument("the transition" + of + " to " + quoted(transition.to) +
+                                    " says not when; expected event, when, after or chance");
+      }
+      way.to = static_cast<std::size_t>(to - places_.begin());
+      if (!transition.when.empty()) {
+        try {
+          way.when.emplace(transition.when);
+        } catch (const std::invalid_argument& error) {
+          throw std::invalid_argument("when=\"" + transition.when + "\"" + of + ": " +
+                                      error.what());
+        }
+      }
+      place.ways.push_back(std::move(way));
+    }
+  }
+
+  /// The state in which one is who enters this one.
+  std::size_t innermost(std::size_t place) const {
+    while (places_[place].first_inside) place = *places_[place].first_inside;
+    return place;
+  }
+
+  /// Takes the first transition whose time has come: those of the present state before those of the
+  /// states around it.
+  void leave(std::span<const elsie::Member> members, const elsie::Perception& now) {
+    entered_s_.resize(places_.size(), now.time_s());  // after a change
+    for (std::size_t i = now_; i != kNowhere; i = places_[i].within) {
+      for (Way& way : places_[i].ways) {
+        if (is_due(way, now.time_s() - entered_s_[i], members, now)) {
+          return enter(way.to, now.time_s());
+        }
+      }
+    }
+  }
+
+  bool is_due(Way& way, double time_in_state_s, std::span<const elsie::Member> members,
+              const elsie::Perception& now) const {
+    constexpr double kRounding = 1e-9;  // s
+    const Transition& transition = *way.described;
+    if (time_in_state_s + kRounding < transition.after) return false;
+    if (!transition.event.empty() && !perceives(now, transition.event)) return false;
+    if (way.when && !way.when->holds(members, now)) return false;
+    if (transition.chance >= 1.0) return true;
+    // Of an event, each time; else in a second, however long the control period is.
+    const double chance = transition.event.empty()
+                              ? -std::expm1(now.period_s() * std::log1p(-transition.chance))
+                              : transition.chance;
+    return now.random().chance(chance);
+  }
+
+  /// States around both the old and the new one are not entered again.
+  void enter(std::size_t place, double time_s) {
+    std::vector<bool> stays(places_.size(), false);
+    for (std::size_t i = places_[now_].within; i != kNowhere; i = places_[i].within) {
+      stays[i] = true;
+    }
+    stays[place] = false;
+    now_ = innermost(place);
+    for (std::size_t i = now_; i != kNowhere; i = places_[i].within) {
+      if (!stays[i]) entered_s_[i] = time_s;
+    }
+    since_s_ = time_s;
+  }
+
+  std::vector<bool> reachable() const {
+    std::vector<bool> reached(places_.size(), false);
+    const std::function<void(std::size_t)> visit = [&](std::size_t place) {
+      place = innermost(place);
+      for (std::size_t i = place; i != kNowhere; i = places_[i].within) {
+        if (std::exchange(reached[i], true)) continue;
+        for (const Way& way : places_[i].ways) visit(way.to);
+      }
+    };
+    visit(0);
+    return reached;
+  }
+
+  bool has_exit(std::size_t place) const {
+    if (places_[place].first_inside) return true;  // its inner states are asked
+    for (std::size_t i = place; i != kNowhere; i = places_[i].within) {
+      for (const Way& way : places_[i].ways) {
+        if (innermost(way.to) != place) return true;
+      }
+    }
+    return false;
+  }
+
+  static std::string words(const Way& way) {
+    const Transition& transition = *way.described;
+    std::vector<std::string> parts;
+    if (!transition.event.empty()) parts.push_back(transition.event);
+    if (!transition.when.empty()) parts.push_back("[" + transition.when + "]");
+    if (transition.after > 0.0) {
+      parts.push_back("after " + elsie::base::number_text(transition.after) + " s");
+    }
+    if (transition.chance < 1.0) {
+      parts.push_back("chance " + elsie::base::number_text(transition.chance));
+    }
+    std::string text;
+    for (const std::string& part : parts) text += (text.empty() ? "" : " ") + part;
+    return text;
+  }
+
+  std::vector<Place> places_;
+  std::size_t now_ = 0;            // the present state, which has no states in it
+  std::optional<double> since_s_;  // when it was entered; none: no decision was made
+  std::vector<double> entered_s_;  // of each state that one is in
+  std::vector<std::string> unused_;
+};
+
+}  // namespace
+
+ELSIE_COORDINATOR(
+    ArbiterStates, "arbiter_states",
+    "A finite-state automaton: the behaviour of the present state decides",
+    elsie::elements(
+        &ArbiterStates::states,
+        elsie::element<State>(
+            "state", "a state; the first one is where it begins", elsie::nests(&State::states),
+            elsie::parameter("name", &State::name,
+                             {.meaning = "what transitions call it", .required = true}),
+            elsie::parameter("behavior", &State::behavior,
+                             {.meaning = "who decides in it; empty: the robot stands, or states "
+                                         "in it say who"}),
+            elsie::parameter("ends", &State::ends,
+                             {.choices = {"no", "success", "failure"},
+                              .meaning = "how the whole ends in it, for who waits for that"}),
+            elsie::elements(
+                &State::transitions,
+                elsie::element<Transition>(
+                    "transition",
+                    "a way to another state, when all that it says holds; the first one is taken",
+                    elsie::parameter("to", &Transition::to,
+                                     {.meaning = "the name of a state", .required = true}),
+                    elsie::parameter("event", &Transition::event,
+                                     {.meaning = "an event that the robot perceives"}),
+                    elsie::parameter("when", &Transition::when,
+                                     {.meaning = "a condition over what the robot perceives"}),
+                    elsie::parameter(
+                        "after", &Transition::after,
+                        {.unit = "s", .min = 0, .meaning = "so long after the state was entered"}),
+                    elsie::parameter("chance", &Transition::chance,
+                                     {.min = 0,
+                                      .max = 1,
+                                      .meaning = "probability to take it, at each event; without "
+                                                 "an event, in a second"}))))),
+    elsie::names_event("transition/event"),
+    elsie::publishes("state", &ArbiterStates::number,
+                     {.meaning = "the number of the present state, in the order of the file"}));
