@@ -8,11 +8,11 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <elsie/api/remember.h>
 #include <elsie/base/near_name.h>
+#include <elsie/base/number_text.h>
 
 #include "condition.h"
 #include "winner.h"
@@ -66,9 +66,7 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
     add(states, kNowhere);
     for (Place& place : places_) resolve(place);
     now_ = innermost(0);
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      if (places_[i].described->name == before && !places_[i].first_inside) now_ = i;
-    }
+    return_to(before);
   }
 
   void equipped(std::span<const elsie::Member> members, const elsie::Perception& example) override {
@@ -95,9 +93,7 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
     std::string name = places_[now_].described->name;
     memory("state", name);
     memory("since", since_s_);
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      if (places_[i].described->name == name && !places_[i].first_inside) now_ = i;
-    }
+    return_to(name);
   }
 
   elsie::Motion coordinate(std::span<elsie::Member> members,
@@ -211,6 +207,13 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
     }
   }
 
+  /// After a change, if there still is such a state.
+  void return_to(const std::string& name) {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if (places_[i].described->name == name && !places_[i].first_inside) now_ = i;
+    }
+  }
+
   /// The state in which one is who enters this one.
   std::size_t innermost(std::size_t place) const {
     while (places_[place].first_inside) place = *places_[place].first_inside;
@@ -264,7 +267,8 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
     const std::function<void(std::size_t)> visit = [&](std::size_t place) {
       place = innermost(place);
       for (std::size_t i = place; i != kNowhere; i = places_[i].within) {
-        if (std::exchange(reached[i], true)) continue;
+        if (reached[i]) continue;
+        reached[i] = true;
         for (const Way& way : places_[i].ways) visit(way.to);
       }
     };
@@ -284,17 +288,14 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
 
   static std::string words(const Way& way) {
     const Transition& transition = *way.described;
-    std::vector<std::string> parts;
-    if (!transition.event.empty()) parts.push_back(transition.event);
-    if (!transition.when.empty()) parts.push_back("[" + transition.when + "]");
-    if (transition.after > 0.0) {
-      parts.push_back("after " + elsie::base::number_text(transition.after) + " s");
-    }
-    if (transition.chance < 1.0) {
-      parts.push_back("chance " + elsie::base::number_text(transition.chance));
-    }
-    std::string text;
-    for (const std::string& part : parts) text += (text.empty() ? "" : " ") + part;
+    std::string text = transition.event;
+    const auto add = [&](bool is_given, const std::string& words) {
+      if (is_given) text += (text.empty() ? "" : " ") + words;
+    };
+    const auto number = [](double value) { return elsie::base::number_text(value); };
+    add(!transition.when.empty(), "[" + transition.when + "]");
+    add(transition.after > 0.0, "after " + number(transition.after) + " s");
+    add(transition.chance < 1.0, "chance " + number(transition.chance));
     return text;
   }
 
