@@ -1,0 +1,180 @@
+#include "tree.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+using elsie::Status;
+
+namespace {
+
+std::string label_of(const TreeNode& node) {
+  if (!node.name.empty()) return node.name;
+  if (node.kind == "run") return node.behavior;
+  if (node.kind == "condition") return node.when.empty() ? node.event : node.when;
+  return node.kind;
+}
+
+}  // namespace
+
+BehaviorTree::BehaviorTree(const TreeNode& root) { add(root, 0); }
+
+void BehaviorTree::add(const TreeNode& described, std::size_t parent) {
+  const std::string tag = "<" + described.kind + ">";
+  const std::size_t own = nodes_.size(), count = described.children.size();
+  if (described.has_one_child() ? count != 1 : !described.is_leaf() && count == 0) {
+    throw std::invalid_argument(tag + " has " + std::to_string(count) + " nodes in it; expected " +
+                                (described.has_one_child() ? "one" : "at least one"));
+  }
+  Node node;
+  node.described = &described;
+  node.parent = parent;
+  if (described.kind == "condition") {
+    if (described.when.empty() == described.event.empty()) {
+      throw std::invalid_argument("<condition> needs either when=\"...\" or event=\"...\"");
+    }
+    if (!described.when.empty()) node.when.emplace(described.when);
+  }
+  if (described.kind == "parallel" && (described.successes > static_cast<int>(count) ||
+                                       described.failures > static_cast<int>(count))) {
+    throw std::invalid_argument("<parallel> waits for more nodes than the " +
+                                std::to_string(count) + " in it");
+  }
+  nodes_.push_back(std::move(node));
+  for (const TreeNode& child : described.children) {
+    nodes_[own].children.push_back(nodes_.size());
+    add(child, own);
+  }
+}
+
+void BehaviorTree::equip(std::span<const elsie::Member> members, const elsie::Perception& example) {
+  for (Node& node : nodes_) {
+    if (node.described->kind == "run") node.member = index_of(members, node.described->behavior);
+    if (node.when) node.when->equip(members, example);
+  }
+}
+
+void BehaviorTree::reset() { halt(0); }
+
+Status BehaviorTree::tick(std::span<elsie::Member> members, const elsie::Perception& now) {
+  for (Node& node : nodes_) node.is_ticked = false;
+  const Status status = tick(0, {members, now});
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (nodes_[i].is_running && !nodes_[i].is_ticked) halt(i);
+  }
+  return status;
+}
+
+void BehaviorTree::halt(std::size_t node) {
+  nodes_[node].is_running = false;
+  for (const std::size_t child : nodes_[node].children) halt(child);
+}
+
+Status BehaviorTree::tick(std::size_t index, const Now& now) {
+  Node& node = nodes_[index];
+  const TreeNode& described = *node.described;
+  const bool is_new = !node.is_running;
+  node.is_ticked = node.is_running = true;
+  if (is_new) {
+    node.at = 0;
+    node.since_s = now.perception.time_s();
+    node.of.assign(described.kind == "parallel" ? node.children.size() : 0, std::nullopt);
+  }
+  if (described.kind == "sequence") {
+    node.status = in_order(node, now, Status::success);
+  } else if (described.kind == "fallback") {
+    node.status = in_order(node, now, Status::failure);
+  } else if (described.kind == "parallel") {
+    node.status = parallel(node, now);
+  } else if (described.kind == "retry") {
+    node.status = again(node, now, Status::failure);
+  } else if (described.kind == "repeat") {
+    node.status = again(node, now, Status::success);
+  } else if (described.kind == "inverter") {
+    const Status status = tick(node.children[0], now);
+    node.status = status == Status::success   ? Status::failure
+                  : status == Status::failure ? Status::success
+                                              : Status::running;
+  } else if (described.kind == "timeout") {
+    constexpr double kRounding = 1e-9;  // s
+    const bool is_late = now.perception.time_s() - node.since_s + kRounding >= described.seconds;
+    node.status = is_late ? Status::failure : tick(node.children[0], now);
+  } else if (described.kind == "condition") {
+    const bool holds = node.when ? node.when->holds(now.members, now.perception)
+                                 : perceives(now.perception, described.event);
+    node.status = holds ? Status::success : Status::failure;
+  } else {
+    node.status = run(node, is_new, now);
+  }
+  node.is_running = node.status == Status::running;
+  if (!node.is_running) {
+    for (const std::size_t child : node.children) halt(child);
+  }
+  return node.status;
+}
+
+/// A sequence goes on after a success, a fallback after a failure. With memory, children that are
+/// done are not ticked again while it is running.
+Status BehaviorTree::in_order(Node& node, const Now& now, Status goes_on) {
+  for (std::size_t i = node.described->memory ? node.at : 0; i < node.children.size(); ++i) {
+    node.at = i;
+    if (const Status status = tick(node.children[i], now); status != goes_on) return status;
+  }
+  return goes_on;
+}
+
+/// Children that are done wait for the others.
+Status BehaviorTree::parallel(Node& node, const Now& now) {
+  const auto ended = [&](Status how) { return std::count(node.of.begin(), node.of.end(), how); };
+  for (std::size_t i = 0; i < node.children.size(); ++i) {
+    if (node.of[i]) continue;
+    if (const Status status = tick(node.children[i], now); status != Status::running) {
+      node.of[i] = status;
+    }
+  }
+  const auto count = static_cast<std::ptrdiff_t>(node.children.size());
+  const auto wanted = node.described->successes > 0 ? node.described->successes : count;
+  if (ended(Status::success) >= wanted) return Status::success;
+  const bool is_lost = count - ended(Status::failure) < wanted;
+  return is_lost || ended(Status::failure) >= node.described->failures ? Status::failure
+                                                                       : Status::running;
+}
+
+/// Retry goes on after a failure, repeat after a success: at most one attempt a tick.
+Status BehaviorTree::again(Node& node, const Now& now, Status goes_on) {
+  const Status status = tick(node.children[0], now);
+  if (status != goes_on) return status;
+  ++node.at;
+  const auto times = static_cast<std::size_t>(node.described->times);
+  return times > 0 && node.at >= times ? goes_on : Status::running;
+}
+
+/// Events are perceived one control period after they were raised, so the first tick sees only
+/// those of others.
+Status BehaviorTree::run(Node& node, bool is_new, const Now& now) {
+  const TreeNode& described = *node.described;
+  const auto is_raised = [&](const std::string& event) {
+    return !is_new && !event.empty() && perceives(now.perception, event);
+  };
+  if (is_raised(described.success)) return Status::success;
+  if (is_raised(described.failure)) return Status::failure;
+  return now.members[node.member].respond().status;
+}
+
+elsie::Graph BehaviorTree::graph() const {
+  elsie::Graph graph;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    graph.nodes.push_back({label_of(*nodes_[i].described)});
+    if (i > 0) graph.edges.push_back({nodes_[i].parent, i});
+  }
+  return graph;
+}
+
+void BehaviorTree::light(std::span<elsie::Light> nodes) const {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const Status status = nodes_[i].status;
+    nodes[i] = !nodes_[i].is_ticked        ? elsie::Light::dark
+               : status == Status::success ? elsie::Light::success
+               : status == Status::failure ? elsie::Light::failure
+                                           : elsie::Light::running;
+  }
+}
