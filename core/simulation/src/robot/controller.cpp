@@ -323,6 +323,9 @@ void Controller::check(const Slot& slot, const Response& response) const {
   if (!response.command.is_finite()) {
     fail("its command is not a finite number: " + text(response.command));
   }
+  if (!std::isfinite(response.matters_rad.value_or(0.0))) {
+    fail("the direction that matters to it is not a finite number");
+  }
   for (const auto& [what, value] :
        {std::pair("activation", response.activation), std::pair("strength", response.strength),
         std::pair("speed_strength", response.speed_strength),

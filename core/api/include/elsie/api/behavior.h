@@ -20,6 +20,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -86,6 +87,9 @@ struct Response {
   double speed_strength = 1.0;  // of the forward speed
   double lateral_strength = 1.0;
   double turn_strength = 1.0;
+  /// The direction, from the heading, along which the motion matters to it: motions that differ
+  /// only across it are equally good. None: all that it commands matters.
+  std::optional<double> matters_rad{};
   Status status = Status::running;
   /// Asks the simulator to charge the battery. Works only at a charger of its team.
   bool charge = false;
