@@ -104,3 +104,9 @@ TEST_CASE("blend: a robot whose coordination nests lives among obstacles") {
   // A charger is found only by an inner behaviour that an arbiter of fixed priorities never asks.
   check_fails("nested", "robot[r1]/behavior[journey]/coordinator=<arbiter_suppression/>");
 }
+
+TEST_CASE("disperse drives robots apart that hear each other") {
+  check_seeds("disperse");
+  check_fails("disperse", "robot[*]/behavior[disperse]/@remove=true");
+  check_fails("disperse", "robot[*]/behavior[say]/@remove=true");
+}
