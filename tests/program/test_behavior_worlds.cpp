@@ -110,3 +110,9 @@ TEST_CASE("disperse drives robots apart that hear each other") {
   check_fails("disperse", "robot[*]/behavior[disperse]/@remove=true");
   check_fails("disperse", "robot[*]/behavior[say]/@remove=true");
 }
+
+TEST_CASE("aggregate brings robots together from all over the arena") {
+  check_seeds("aggregate");
+  check_fails("aggregate", "robot[*]/behavior[aggregate]/@remove=true");
+  check_fails("aggregate", "robot[*]/behavior[disperse]/@remove=true");  // they touch each other
+}
