@@ -116,3 +116,8 @@ TEST_CASE("aggregate brings robots together from all over the arena") {
   check_fails("aggregate", "robot[*]/behavior[aggregate]/@remove=true");
   check_fails("aggregate", "robot[*]/behavior[disperse]/@remove=true");  // they touch each other
 }
+
+TEST_CASE("home brings all robots into their nest") {
+  check_seeds("home");
+  check_fails("home", "robot[r3]/behavior[home]/@remove=true");
+}
