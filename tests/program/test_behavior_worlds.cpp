@@ -121,3 +121,9 @@ TEST_CASE("home brings all robots into their nest") {
   check_seeds("home");
   check_fails("home", "robot[r3]/behavior[home]/@remove=true");
 }
+
+TEST_CASE("flock takes those along that do not know the way") {
+  check_seeds("flock");
+  check_fails("flock", "robot[r1]/behavior[flock]=<wander/>");
+  check_fails("flock", "robot[*]/behavior[say]/@remove=true");
+}
