@@ -127,3 +127,11 @@ TEST_CASE("flock takes those along that do not know the way") {
   check_fails("flock", "robot[r1]/behavior[flock]=<wander/>");
   check_fails("flock", "robot[*]/behavior[say]/@remove=true");
 }
+
+TEST_CASE("patrol goes round a house, again and again") {
+  for (const json& result : check_seeds("patrol")) {
+    CHECK(result["robots"][0]["collected"] == 4);
+    CHECK(count(result, "at_place") == 8);
+  }
+  check_fails("patrol", "robot[r1]/behavior[patrol]/@order=once");
+}

@@ -182,8 +182,8 @@ TEST_CASE("The elements and the nesting that the page on behaviours adds do as i
   const std::string page =
       read(fs::path(elsie::test::source_path("docs")) / "writing-a-behavior.md");
   Workplace here;
-  here.write("patrol.cpp", blocks(page, "cpp").at(2) + blocks(page, "cpp").at(3));
-  const auto check = here.sh("ELSIE_CACHE=cache elsie test-plugin patrol.cpp");
+  here.write("visit.cpp", blocks(page, "cpp").at(2) + blocks(page, "cpp").at(3));
+  const auto check = here.sh("ELSIE_CACHE=cache elsie test-plugin visit.cpp");
   CAPTURE(check.out, check.err);
   CHECK(check.exit_code == 0);
   const auto time_to_goal = [&](const std::string& behavior) {
@@ -191,14 +191,14 @@ TEST_CASE("The elements and the nesting that the page on behaviours adds do as i
                "<world format='1'><robots><robot id='r1'><behaviors>" + behavior +
                    "</behaviors><coordinator><arbiter_suppression/></coordinator></robot></robots>"
                    "<goals><reach robot='r1' x='1' y='1' radius='0.1'/></goals></world>");
-    const auto run = here.sh("ELSIE_CACHE=cache elsie run world.xml --plugin patrol.cpp --json");
+    const auto run = here.sh("ELSIE_CACHE=cache elsie run world.xml --plugin visit.cpp --json");
     CAPTURE(run.out, run.err);
     CHECK(run.exit_code == 0);
     return nlohmann::json::parse(run.out)["simulated_s"].get<double>();
   };
   const std::string slowly = blocks(page, "xml").at(2);
   REQUIRE_THAT(slowly, Catch::StartsWith("<slowly"));
-  const std::size_t from = slowly.find("<patrol"), to = slowly.find("</behaviors>");
+  const std::size_t from = slowly.find("<visit"), to = slowly.find("</behaviors>");
   const double alone = time_to_goal(slowly.substr(from, to - from));
   CHECK(time_to_goal(slowly) == Approx(2.0 * alone).epsilon(0.1));
 }
