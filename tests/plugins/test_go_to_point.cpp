@@ -35,10 +35,12 @@ TEST_CASE("It slows down near the place, stops there, and says once that it has 
   const auto behavior = to(0, 0);
   now.at(-0.15, 0, 0);
   CHECK(rates(behavior->respond(now.perception()).command).left == Approx(10.0));
+  CHECK(behavior->respond(now.perception()).status == Status::running);
   now.at(-0.04, 0, 0);
   const Response first = behavior->respond(now.perception());
   CHECK(first.command == Motion{});
   CHECK(first.activation == 0.0);
+  CHECK(first.status == Status::success);
   REQUIRE(first.events.size() == 1);
   CHECK(first.events[0].name == "arrived");
   CHECK(behavior->respond(now.perception()).events.empty());

@@ -19,6 +19,7 @@ class GoToPoint final : public Going, public elsie::Remembers {
     elsie::Response response;
     if (away <= tolerance) {
       response.activation = 0.0;
+      response.status = elsie::Status::success;
       if (!arrived_) {
         response.events.push_back({"arrived"});
       }

@@ -38,6 +38,7 @@ class Home final : public Going, public elsie::Remembers {
     stands_ = is_home && (stands_ || away_m_ <= stop_within * home.radius_m);
     elsie::Response response =
         stands_ ? inactive() : elsie::Response(towards(here, home.place.x, home.place.y, away_m_));
+    if (stands_) response.status = elsie::Status::success;
     if (is_home_ != is_home) {
       is_home_ = is_home;
       response.events.push_back({is_home ? "at_home" : "left_home"});

@@ -51,7 +51,11 @@ class Patrol final : public Going, public elsie::Remembers {
     if (is_done_) {
       // It returns to an only place from which it was pushed.
       const bool stays = places.size() == 1 && away(here) <= tolerance;
-      if (is_once_ || stays) return inactive();
+      if (is_once_ || stays) {
+        response = inactive();
+        response.status = elsie::Status::success;
+        return response;
+      }
       is_done_ = false;
     }
     if (std::isnan(leaves_s_) && away(here) <= tolerance) {
@@ -61,6 +65,7 @@ class Patrol final : public Going, public elsie::Remembers {
     if (now.time_s() >= leaves_s_) leave(now, response);
     if (is_done_) {
       response.activation = response.strength = 0.0;
+      response.status = elsie::Status::success;
     } else if (std::isnan(leaves_s_)) {
       response.command = towards(here, places[index()].x, places[index()].y, away(here));
     }
