@@ -8,6 +8,7 @@
 #include "elsie/testing/checker.h"
 #include "elsie/testing/world.h"
 
+#include "allocations.h"
 #include "support.h"
 
 using namespace elsie;
@@ -272,6 +273,27 @@ TEST_CASE("Links of iB2C that cannot be are refused, and a circle is named") {
         "");
   CHECK(refusal({ib2c_link("inhibit", "avoid", "seek"), ib2c_link("inhibit", "seek", "avoid")}) ==
         "");
+}
+
+TEST_CASE("iB2C allocates nothing in a step") {
+  Team team;
+  team.member("a", 1, wheels(9, 9)).member("b", 1, wheels(5, -5)).member("c", 2, wheels(1, 1));
+  Coordinated robot("fusion_ib2c", team, {},
+                    {ib2c_link("inhibit", "a", "b"), ib2c_link("stimulate", "b", "c")});
+  Random random(1);
+  const auto decide = [&](int times) {
+    for (int step = 0; step < times; ++step) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        team.answer(i).command = wheels(random.uniform(-40, 40), random.uniform(-40, 40));
+        team.answer(i).activation = random.chance(0.2) ? 0.0 : random.uniform();
+      }
+      robot.decide();
+    }
+  };
+  decide(300);
+  const long before = allocations();
+  decide(300);
+  CHECK(allocations() == before);
 }
 
 TEST_CASE("iB2C without behaviours stands still, and has no fault that the checker finds") {
