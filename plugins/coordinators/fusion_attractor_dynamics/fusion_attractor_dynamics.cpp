@@ -214,18 +214,17 @@ void FusionAttractorDynamics::compete(const elsie::Perception& now) {
   }
 }
 
-/// The mean speed of what attracts, or the parameter's; less until one of them has won.
+/// The mean forward speed of what attracts, or the parameter's; less until one of them has won.
 double FusionAttractorDynamics::forward(std::span<elsie::Member> members) const {
   double strengths = 0.0, sum = 0.0, most = 0.0;
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (acts(i) && !field_.forcelets[i].repels) {
-      const elsie::Motion& wish = members[i].respond().command;
       strengths += field_.forcelets[i].strength;
-      sum += field_.forcelets[i].strength * std::hypot(wish.forward, wish.lateral);
+      sum += field_.forcelets[i].strength * members[i].respond().command.forward;
       most = std::max(most, neurons_[i].w);
     }
   }
-  return strengths > 0.0 ? most * (speed > 0.0 ? speed : sum / strengths) : 0.0;
+  return strengths > 0.0 ? most * (speed > 0.0 ? speed : std::max(0.0, sum / strengths)) : 0.0;
 }
 
 void FusionAttractorDynamics::trace(std::span<elsie::Member> members) const {
@@ -276,8 +275,8 @@ ELSIE_COORDINATOR(
                      {.unit = "m/s",
                       .min = 0,
                       .max = 10,
-                      .meaning = "speed while anything attracts; 0: the mean speed of the "
-                                 "attracting behaviours' commands"}),
+                      .meaning = "speed while anything attracts; 0: the mean forward speed of "
+                                 "the attracting behaviours' commands"}),
     elsie::parameter(
         "tau", &FusionAttractorDynamics::tau,
         {.unit = "s", .min = 0.01, .max = 100, .meaning = "time constant of the competition"}),
