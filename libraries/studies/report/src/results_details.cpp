@@ -1,4 +1,4 @@
-// Large data, read cell by cell when they are drawn.
+// Large data, read cell by cell when they are drawn. Robots: r2 comes before r10.
 #include <cmath>
 #include <utility>
 
@@ -52,10 +52,10 @@ std::vector<Trajectory> ResultsFile::trajectories(std::int64_t cell) const {
   return state_->reading([&] {
     std::vector<Trajectory> all;
     const std::filesystem::path& file = state_->file;
-    sqlite::Statement rows(
-        state_->connection,
-        query("robot, period_s, poses, x_m, y_m, heading_rad, from_s",
-              "trajectories LEFT JOIN run_robots USING (run_id, robot)", "run_id, robot"));
+    sqlite::Statement rows(state_->connection,
+                           query("robot, period_s, poses, x_m, y_m, heading_rad, from_s",
+                                 "trajectories LEFT JOIN run_robots USING (run_id, robot)",
+                                 "run_id, length(robot), robot"));
     rows.bind(1, cell);
     while (rows.next()) {
       Trajectory way{rows.integer(0), rows.text(1), rows.number(2), {}, rows.number(7)};
@@ -76,7 +76,7 @@ std::vector<Curve> ResultsFile::curves(std::int64_t cell) const {
     std::vector<Curve> all;
     sqlite::Statement rows(state_->connection,
                            query("robot, plugin, name, x_label, y_label, points", "curves",
-                                 "run_id, robot, plugin, name"));
+                                 "run_id, length(robot), robot, plugin, name"));
     rows.bind(1, cell);
     while (rows.next()) {
       Curve curve{rows.integer(0),
@@ -112,8 +112,8 @@ std::vector<Timeline> ResultsFile::timelines(std::int64_t cell) const {
   return state_->reading([&] {
     std::vector<Timeline> all;
     const std::filesystem::path& file = state_->file;
-    sqlite::Statement rows(state_->connection,
-                           query("robot, behaviors, episodes", "timelines", "run_id, robot"));
+    sqlite::Statement rows(state_->connection, query("robot, behaviors, episodes", "timelines",
+                                                     "run_id, length(robot), robot"));
     rows.bind(1, cell);
     while (rows.next()) {
       Timeline timeline{rows.integer(0), rows.text(1), {}, {}};
