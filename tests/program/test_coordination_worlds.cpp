@@ -122,3 +122,29 @@ TEST_CASE("A network that blends search and avoidance collects all four resource
     CHECK(time_s < 294);
   }
 }
+
+TEST_CASE("Worlds that one coordinator solves, and others do not") {
+  struct Case {
+    std::string world;
+    std::vector<std::string> others;
+  };
+  const Case all[] = {
+      {"two_posts", {"<fusion_vector_summation/>"}},
+      {"inhibition", {"<arbiter_action_selection/>"}},
+      {"errand", {"<arbiter_action_selection/>", "<arbiter_suppression/>"}},
+      {"fetch", {"<arbiter_action_selection/>", "<fusion_vector_summation/>"}},
+      {"guard", {"<arbiter_action_selection/>", "<arbiter_suppression/>"}},
+      {"slide", {"<arbiter_action_selection/>", "<fusion_vector_summation/>"}},
+  };
+  for (const Case& each : all) {
+    CAPTURE(each.world);
+    for (int seed = 1; seed <= 2; ++seed) {
+      CHECK(result_of(each.world, seed)["outcome"] == "success");
+      CHECK(result_of("scattered/" + each.world, seed)["outcome"] == "success");
+    }
+    for (const std::string& other : each.others) {
+      CAPTURE(other);
+      CHECK(result_of(each.world, 1, other)["outcome"] != "success");
+    }
+  }
+}
