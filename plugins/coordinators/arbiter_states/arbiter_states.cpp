@@ -146,9 +146,9 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
     }
     return graph;
   }
-  void light(std::span<elsie::Light> nodes) const override {
+  void light(std::span<elsie::NodeState> nodes) const override {
     for (std::size_t i = now_; i != kNowhere; i = places_[i].within) {
-      nodes[i] = elsie::Light::running;
+      nodes[i] = elsie::NodeState::running;
     }
   }
 

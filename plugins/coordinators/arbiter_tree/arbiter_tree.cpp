@@ -85,7 +85,7 @@ class ArbiterTree final : public elsie::Coordinator {
 
   elsie::Status status() const override { return status_; }
   elsie::Graph graph() const override { return tree_->graph(); }
-  void light(std::span<elsie::Light> lights) const override { tree_->light(lights); }
+  void light(std::span<elsie::NodeState> lights) const override { tree_->light(lights); }
   double running() const { return running_; }
 
  private:

@@ -169,12 +169,12 @@ elsie::Graph BehaviorTree::graph() const {
   return graph;
 }
 
-void BehaviorTree::light(std::span<elsie::Light> nodes) const {
+void BehaviorTree::light(std::span<elsie::NodeState> nodes) const {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const Status status = nodes_[i].status;
-    nodes[i] = !nodes_[i].is_ticked        ? elsie::Light::dark
-               : status == Status::success ? elsie::Light::success
-               : status == Status::failure ? elsie::Light::failure
-                                           : elsie::Light::running;
+    nodes[i] = !nodes_[i].is_ticked        ? elsie::NodeState::dark
+               : status == Status::success ? elsie::NodeState::success
+               : status == Status::failure ? elsie::NodeState::failure
+                                           : elsie::NodeState::running;
   }
 }

@@ -46,7 +46,7 @@ class BehaviorTree {
 
   elsie::Graph graph() const;
   /// How each node was left by the last tick; dark: it was not ticked.
-  void light(std::span<elsie::Light> nodes) const;
+  void light(std::span<elsie::NodeState> nodes) const;
 
  private:
   struct Node {

@@ -219,9 +219,9 @@ TEST_CASE("Its graph shows states, where they are held, and the present one lit"
   CHECK(graph.edges[0].to == 2);
   CHECK(graph.edges[0].label == "full");
   CHECK(graph.edges[1].label == "[battery > 0.5] after 2 s chance 0.5");
-  std::vector<Light> lights(3);
+  std::vector<NodeState> lights(3);
   (*robot.robot)->light(lights);
-  CHECK(lights == std::vector<Light>{Light::running, Light::running, Light::dark});
+  CHECK(lights == std::vector<NodeState>{NodeState::running, NodeState::running, NodeState::dark});
 }
 
 TEST_CASE("A state may end the whole, and who waits for it sees how") {

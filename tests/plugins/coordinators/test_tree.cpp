@@ -232,10 +232,10 @@ TEST_CASE("Its graph is the tree, lit by the last tick") {
   REQUIRE(graph.edges.size() == 4);
   CHECK(graph.edges[2].from == 1);
   CHECK(graph.edges[2].to == 3);
-  std::vector<Light> lights(5);
+  std::vector<NodeState> lights(5);
   (*robot.robot)->light(lights);
-  CHECK(lights == std::vector<Light>{Light::running, Light::failure, Light::failure, Light::dark,
-                                     Light::running});
+  CHECK(lights == std::vector<NodeState>{NodeState::running, NodeState::failure, NodeState::failure, NodeState::dark,
+                                     NodeState::running});
 }
 
 TEST_CASE("A tree of BehaviorTree.CPP is read from its file") {

@@ -144,7 +144,7 @@ class Coordinator : public Component {
   /// What it shows of its inside; the default is nothing. Called after equipped().
   virtual Graph graph() const { return {}; }
   /// What the nodes of the graph are in this control period. All are dark before.
-  virtual void light(std::span<Light> /*nodes*/) const {}
+  virtual void light(std::span<NodeState> /*nodes*/) const {}
 
   /// How good each candidate command would be for the members together, in [0, 1]; for a
   /// coordinator inside a behaviour. `given` is the answer of coordinate() in this step. The

@@ -319,7 +319,7 @@ class ElementList {
   /// Appends the object of an element, if it is one of these.
   void append(const ElementValue& value, std::vector<Value>& list) const {
     each([&](const auto& item) {
-      if (item.name == value.element) list.push_back(made(item, value));
+      if (item.name == value.element) list.emplace_back(made(item, value));
     });
   }
   /// Appends the element that stands for an object.

@@ -25,6 +25,6 @@ struct Graph {
 };
 
 /// What a node is in this control period.
-enum class Light { dark, running, success, failure };
+enum class NodeState { dark, running, success, failure };
 
 }  // namespace elsie

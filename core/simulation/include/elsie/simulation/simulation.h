@@ -140,7 +140,7 @@ struct LitGraph {
   std::string path;         // ids, outermost first: "arbiter_states", "explore/arbiter_tree"
   std::string_view plugin;  // the coordinator's
   Graph graph;
-  std::vector<Light> lights;  // of its nodes
+  std::vector<NodeState> lights;  // of its nodes
 };
 
 /// An inference of a behaviour or coordinator in the last decision.
