@@ -1,11 +1,9 @@
 // Foraging to a nest (Goss and Deneubourg, 1992): drives to a resource that the camera sees, grips
 // it, and carries it to the nest of the team.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -14,6 +12,8 @@
 #include <elsie/commands/gripper.h>
 #include <elsie/messages/say.h>
 #include <elsie/readings/omnidirectional_camera.h>
+
+#include "colour_text.h"
 
 namespace {
 
@@ -34,17 +34,7 @@ class Forage final : public elsie::Behavior, public elsie::Remembers {
   double release_within = 0.7;
   double patience = 10.0;
 
-  void configured() override {
-    unsigned rgb = 0;
-    const char* const end = colour.data() + colour.size();
-    if (colour.size() != 7 || colour[0] != '#' ||
-        std::from_chars(colour.data() + 1, end, rgb, 16).ptr != end) {
-      throw std::invalid_argument("colour is \"" + colour +
-                                  "\"; expected six hexadecimal digits after #, as in \"#2e9e4f\"");
-    }
-    wanted_ = {static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8),
-               static_cast<std::uint8_t>(rgb)};
-  }
+  void configured() override { wanted_ = colour_of(colour); }
   void equipped(const elsie::Perception& example) override {
     has_nest_ = example.team().nest.has_value();
   }
