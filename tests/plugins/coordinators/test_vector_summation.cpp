@@ -44,3 +44,25 @@ TEST_CASE("Behaviours that all say 'stop' have their shares in it, too") {
   CHECK(team.trace(0).share == 0.25);
   CHECK(team.trace(1).share == 0.75);
 }
+
+TEST_CASE("Priorities of gain times number make it Arkin's sum of motor schemas") {
+  // Vectors ahead and to the left, and gains. A schema's motion is linear in its vector.
+  struct Schema {
+    double ahead, left, gain;
+  };
+  const auto motion = [](double ahead, double left) { return Motion{ahead, 0.0, left / 0.05}; };
+  const std::vector<Schema> schemas{{0.3, 0.0, 1.0}, {-0.1, 0.2, 2.5}, {0.0, -0.4, 0.5}, {0, 0, 3}};
+  for (std::size_t n = 1; n <= schemas.size(); ++n) {
+    Team team;
+    double ahead = 0.0, left = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Schema& schema = schemas[i];
+      team.member("schema" + std::to_string(i), static_cast<double>(n) * schema.gain,
+                  motion(schema.ahead, schema.left));
+      ahead += schema.gain * schema.ahead;
+      left += schema.gain * schema.left;
+    }
+    Coordinated robot("fusion_vector_summation", team, {{"weighted", true}});
+    check_near(robot.decide(), motion(ahead, left));
+  }
+}
