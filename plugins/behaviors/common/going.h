@@ -1,24 +1,18 @@
 // Going to a place and stopping there; shared by go_to_point, home and patrol.
 #pragma once
 
-#include <algorithm>
-
 #include <elsie/api/behavior.h>
 
 #include "heading_for.h"
 
-/// heading_for(), and nearer than `slow_down` the slower the nearer.
-class Going : public elsie::Behavior {
- public:
+/// Part of a behaviour: what it needs for steer().
+struct Going {
   double speed = 0.4;      // m/s
   double gain = 3.0;       // 1/s
   double slow_down = 0.3;  // m
 
- protected:
   elsie::Motion towards(const elsie::Pose& here, double x, double y, double away_m) const {
-    elsie::Motion motion = heading_for(elsie::bearing(here, x, y), speed, gain);
-    motion.forward *= std::min(1.0, away_m / slow_down);
-    return motion;
+    return steer(elsie::bearing(here, x, y), away_m, speed, gain, slow_down);
   }
 };
 

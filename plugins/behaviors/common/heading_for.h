@@ -11,3 +11,11 @@
 inline elsie::Motion heading_for(double bearing_rad, double speed, double gain) {
   return {speed * std::max(0.0, std::cos(bearing_rad)), 0.0, gain * bearing_rad};
 }
+
+/// The same for a place that is `away_m` off: nearer than `slow_down_m` the slower the nearer.
+inline elsie::Motion steer(double off_rad, double away_m, double speed, double gain,
+                           double slow_down_m) {
+  elsie::Motion motion = heading_for(off_rad, speed, gain);
+  motion.forward *= std::min(1.0, away_m / slow_down_m);
+  return motion;
+}

@@ -1,41 +1,14 @@
 // Drives to a place and stops there.
-#include <cmath>
-
-#include <elsie/api/remember.h>
-
 #include "going.h"
+#include "place_goal.h"
 
 namespace {
 
-class GoToPoint final : public Going, public elsie::Remembers {
- public:
-  double x = 0.0;
-  double y = 0.0;
-  double tolerance = 0.05;
-
-  elsie::Response respond(const elsie::Perception& now) override {
-    const elsie::Pose& here = now.self().pose;
-    const double away = std::hypot(x - here.x, y - here.y);
-    elsie::Response response;
-    if (away <= tolerance) {
-      response.activation = 0.0;
-      response.status = elsie::Status::success;
-      if (!arrived_) {
-        response.events.push_back({"arrived"});
-      }
-      arrived_ = true;
-      return response;
-    }
-    arrived_ = false;
-    response.command = towards(here, x, y, away);
-    return response;
+class GoToPoint final : public PlaceGoal, public Going {
+ protected:
+  elsie::Response approach(const elsie::Perception&, double away_m, double off_rad) override {
+    return steer(off_rad, away_m, speed, gain, slow_down);
   }
-
-  void reset(elsie::Random&) override { arrived_ = false; }
-  void remember(elsie::Memory& memory) override { memory("arrived", arrived_); }
-
- private:
-  bool arrived_ = false;
 };
 
 }  // namespace

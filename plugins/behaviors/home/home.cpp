@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-class Home final : public Going, public elsie::Remembers {
+class Home final : public elsie::Behavior, public Going, public elsie::Remembers {
  public:
   double x = 0.0;
   double y = 0.0;

@@ -22,7 +22,7 @@ struct Place {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-class Patrol final : public Going, public elsie::Remembers {
+class Patrol final : public elsie::Behavior, public Going, public elsie::Remembers {
  public:
   std::vector<Place> places{{}};  // where a world gives none
   std::string order = "round";

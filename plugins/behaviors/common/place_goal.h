@@ -1,0 +1,45 @@
+// Going to a place (x, y) and stopping there; shared by go_to_point, bug, vfh_plus and
+// dynamic_window.
+#pragma once
+
+#include <cmath>
+
+#include <elsie/api/behavior.h>
+#include <elsie/api/remember.h>
+
+#include "heading_for.h"
+
+/// Stops within the tolerance of the place, and says once that it has arrived: the event `arrived`.
+class PlaceGoal : public elsie::Behavior, public elsie::Remembers {
+ public:
+  double x = 0.0;
+  double y = 0.0;
+  double tolerance = 0.05;
+
+  elsie::Response respond(const elsie::Perception& now) override {
+    const elsie::Pose& pose = now.self().pose;
+    const double away = std::hypot(x - pose.x, y - pose.y);
+    if (away > tolerance) {
+      arrived_ = false;
+      return approach(now, away, elsie::bearing(pose, x, y));
+    }
+    elsie::Response response;
+    response.activation = 0.0;
+    response.status = elsie::Status::success;
+    if (!arrived_) {
+      response.events.push_back({"arrived"});
+    }
+    arrived_ = true;
+    return response;
+  }
+
+  void reset(elsie::Random&) override { arrived_ = false; }
+  void remember(elsie::Memory& memory) override { memory("arrived", arrived_); }
+
+ protected:
+  /// The answer on the way: the place is `away_m` off, at a bearing of `off_rad`.
+  virtual elsie::Response approach(const elsie::Perception& now, double away_m, double off_rad) = 0;
+
+ private:
+  bool arrived_ = false;
+};
