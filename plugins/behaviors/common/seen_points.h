@@ -1,0 +1,44 @@
+// The points at which range sensors and lidars see something; shared by bug, vfh_plus and
+// dynamic_window.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+#include <elsie/api/perception.h>
+#include <elsie/readings/lidar.h>
+
+/// Calls use(point) for each point in the robot's frame (m). Leaves out what the sensors of its
+/// segments see, and what is no higher than the floor.
+template <class Use>
+void for_each_seen_point(const elsie::Perception& now, Use use) {
+  constexpr double kFloor = 0.005;  // m
+  for (const auto& beam : now.readings<elsie::RangeReading>()) {
+    const elsie::Mounting& at = beam.mounting();
+    const double height = at.position.z + beam->distance_m * std::sin(at.pitch_rad);
+    if (!beam->hit || at.segment != 0 || (at.pitch_rad < 0.0 && height < kFloor)) continue;
+    const double level = beam->distance_m * std::cos(at.pitch_rad);
+    use(elsie::Vector2{at.position.x + level * std::cos(at.azimuth_rad),
+                       at.position.y + level * std::sin(at.azimuth_rad)});
+  }
+  for (const auto& scan : now.readings<elsie::LidarReading>()) {
+    const elsie::Mounting& at = scan.mounting();
+    if (at.segment != 0) continue;
+    const double ahead = std::cos(at.pitch_rad), up = std::sin(at.pitch_rad);
+    const double c = std::cos(at.azimuth_rad), s = std::sin(at.azimuth_rad);
+    for (std::size_t i = 0; i < scan->ranges_m.size(); ++i) {
+      const double range = scan->ranges_m[i];
+      if (!(range < scan->max_range_m)) continue;
+      const double x = range * std::cos(scan->azimuth_rad(i));
+      const double y = range * std::sin(scan->azimuth_rad(i));
+      if (up != 0.0 && at.position.z + x * up < kFloor) continue;
+      use(elsie::Vector2{at.position.x + c * ahead * x - s * y,
+                         at.position.y + s * ahead * x + c * y});
+    }
+  }
+}
+
+/// Half the diagonal of the chassis: the robot as a disc, m.
+inline double body_radius(const elsie::OwnState& self) {
+  return 0.5 * std::hypot(self.length_m, self.width_m);
+}
