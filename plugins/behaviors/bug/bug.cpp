@@ -187,7 +187,7 @@ class Bug final : public PlaceGoal {
     return direction;
   }
 
-  /// It crosses the M-line, nearer to the goal than H, and the way is free.
+  /// It crosses the M-line, nearer to the goal than H, and the obstacle is not in the way.
   bool is_on_m_line(const elsie::Perception& now, double away_m, double off_rad) {
     const elsie::Vector2 line{x - start_.x, y - start_.y};
     const double length = std::max(1e-9, std::hypot(line.x, line.y));
@@ -195,8 +195,13 @@ class Bug final : public PlaceGoal {
       return (line.x * (at_y - start_.y) - line.y * (at_x - start_.x)) / length;
     };
     const double here = aside(now.self().pose.x, now.self().pose.y);
-    return (std::abs(here) < kBand || here * aside(last_.x, last_.y) < 0.0) &&
-           away_m < trip_.hit_away_m() - kSame && !in_the_way(now, away_m, off_rad);
+    if ((std::abs(here) >= kBand && here * aside(last_.x, last_.y) >= 0.0) ||
+        away_m >= trip_.hit_away_m() - kSame) {
+      return false;
+    }
+    // Another obstacle, not on the side of this one, may well be in the way: that is the next H.
+    const auto obstacle = in_the_way(now, away_m, off_rad);
+    return !obstacle || std::sin(*obstacle) * pursuit_.towards_wall() < -0.5;
   }
 
   void turn_side(bool is_reversed) {
