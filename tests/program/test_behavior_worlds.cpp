@@ -140,3 +140,8 @@ TEST_CASE("bug comes out of a trap and past what stands on its way") {
   }
   check_fails("bug", "robot[r1]/behavior[bug]=<go_to_point x=\"4\"/>");
 }
+
+TEST_CASE("vfh_plus drives through the openings between pillars and boxes") {
+  check_seeds("vfh_plus");
+  check_fails("vfh_plus", "robot[r1]/behavior[vfh_plus]=<go_to_point x=\"4\"/>");
+}

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 
 #include <elsie/api/perception.h>
 #include <elsie/readings/lidar.h>
@@ -41,4 +42,14 @@ void for_each_seen_point(const elsie::Perception& now, Use use) {
 /// Half the diagonal of the chassis: the robot as a disc, m.
 inline double body_radius(const elsie::OwnState& self) {
   return 0.5 * std::hypot(self.length_m, self.width_m);
+}
+
+/// Throws std::invalid_argument if the robot has neither range sensors nor lidars.
+inline void check_sees_points(const elsie::Perception& example) {
+  if (example.readings<elsie::RangeReading>().empty() &&
+      example.readings<elsie::LidarReading>().empty()) {
+    throw std::invalid_argument(
+        "it needs a lidar, or range sensors such as beam_range, and the robot has none of either; "
+        "add one");
+  }
 }
