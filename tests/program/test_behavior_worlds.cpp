@@ -134,6 +134,8 @@ TEST_CASE("patrol goes round a house, again and again") {
     CHECK(count(result, "at_place") == 8);
   }
   check_fails("patrol", "robot[r1]/behavior[patrol]/@order=once");
+}
+
 TEST_CASE("bug comes out of a trap and past what stands on its way") {
   for (const json& result : check_seeds("bug")) {
     CHECK(count(result, "leave_point") >= 3);
