@@ -14,9 +14,9 @@
 
 #include "elsie/base/near_name.h"
 #include "elsie/build/source_build.h"
+#include "elsie/plugin/declared_element.h"
 #include "elsie/plugin/error.h"
 #include "elsie/plugin/kind_name.h"
-#include "elsie/plugin/declared_element.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/testing/checker.h"
 #include "elsie/world/markup.h"

@@ -32,8 +32,7 @@ void build(Robot& robot, const plugin::Host& host, Problems& problems) {
   };
   try {
     const auto drive = host.create<Drive>(PluginKind::drive, use.plugin);
-    plugin::apply_parameters(*declaration, *drive, use.parameters,
-                             values_of(use.elements));
+    plugin::apply_parameters(*declaration, *drive, use.parameters, values_of(use.elements));
     robot.driven = plan_of(chassis_of(robot.body), *drive);
     if (const char* const changed = call.restore_arithmetic()) {
       refuse(std::string("it changed ") + changed + " for the whole program", true);

@@ -6,8 +6,8 @@
 
 #include "elsie/api/simulator_events.h"
 #include "elsie/base/near_name.h"
-#include "elsie/plugin/host.h"
 #include "elsie/plugin/declared_element.h"
+#include "elsie/plugin/host.h"
 
 #include "reading.h"
 

@@ -12,10 +12,10 @@
 #include "elsie/base/near_name.h"
 #include "elsie/base/thrown.h"
 #include "elsie/plugin/call.h"
+#include "elsie/plugin/declared_element.h"
 #include "elsie/plugin/error.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/kind_name.h"
-#include "elsie/plugin/declared_element.h"
 #include "elsie/world/files.h"
 #include "elsie/world/values.h"
 #include "elsie/world/world_tree.h"
@@ -383,8 +383,7 @@ class ObjectReader {
     try {
       const auto object = host_->create<Component>(declaration.kind, declaration.name);
       plugin::hold_nothing(declaration, *object);
-      plugin::apply_parameters(declaration, *object, use.parameters,
-                               values_of(use.elements));
+      plugin::apply_parameters(declaration, *object, use.parameters, values_of(use.elements));
       if (const char* const changed = call.restore_arithmetic()) {
         refuse(element.where,
                "plugin '" + use.plugin + "': it changed " + changed +

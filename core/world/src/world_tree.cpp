@@ -75,7 +75,7 @@ std::string WorldTree::path(std::size_t meaning) const {
   const std::string outer = path(own.holder);
   const ElementSpec& around = *meanings_[own.holder].spec;
   if (own.spec && own.spec->group) return outer;
-  const std::string& step = !own.spec      ? plugin::element_at(own.use->elements, own.nested).element
+  const std::string& step = !own.spec ? plugin::element_at(own.use->elements, own.nested).element
                             : around.group ? around.members
                                            : own.spec->name;
   const bool is_only = own.spec && own.spec->at_most <= 1;

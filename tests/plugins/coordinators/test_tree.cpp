@@ -234,8 +234,8 @@ TEST_CASE("Its graph is the tree, lit by the last tick") {
   CHECK(graph.edges[2].to == 3);
   std::vector<NodeState> lights(5);
   (*robot.robot)->light(lights);
-  CHECK(lights == std::vector<NodeState>{NodeState::running, NodeState::failure, NodeState::failure, NodeState::dark,
-                                     NodeState::running});
+  CHECK(lights == std::vector<NodeState>{NodeState::running, NodeState::failure, NodeState::failure,
+                                         NodeState::dark, NodeState::running});
 }
 
 TEST_CASE("A tree of BehaviorTree.CPP is read from its file") {

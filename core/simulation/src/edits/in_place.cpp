@@ -90,9 +90,9 @@ class Plan {
           tuned, {&robot(), object, known == setups_.end() ? object->setup() : known->second, ""});
     }
     Setup& setup = tuned->setup;
-    (target.nested.empty() ? setup.parameters
-                           : plugin::element_at(setup.elements, target.nested)
-                                 .parameters)[target.field.name] = value;
+    (target.nested.empty()
+         ? setup.parameters
+         : plugin::element_at(setup.elements, target.nested).parameters)[target.field.name] = value;
     add_text(tuned->text, text_);
   }
 

@@ -23,8 +23,7 @@ bool differ_for_good(const std::vector<ParameterDeclaration>& declared,
   });
 }
 
-bool differ_for_good(const plugin::DeclaredElement& around,
-                     const std::vector<world::ElementUse>& a,
+bool differ_for_good(const plugin::DeclaredElement& around, const std::vector<world::ElementUse>& a,
                      const std::vector<world::ElementUse>& b) {
   return !std::equal(
       a.begin(), a.end(), b.begin(), b.end(), [&](const auto& one, const auto& other) {

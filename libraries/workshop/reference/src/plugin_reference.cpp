@@ -116,11 +116,11 @@ std::string list_of_elements(const std::string& holder, const std::vector<Elemen
                      (one ? "" : "these elements, in an order that counts:\n");
   for (const ElementDeclaration* element : elements) {
     const std::string tag = "`<" + element->name + ">`";
-    text += (one ? "" : "\n") + tag + ": " + element->meaning + ".\n" +
-            table_of(element->parameters);
+    text +=
+        (one ? "" : "\n") + tag + ": " + element->meaning + ".\n" + table_of(element->parameters);
     if (element->nests) {
-      text += "\n" + tag + " may hold " + (one ? "others" : "all of these") +
-              ", too, to any depth.\n";
+      text +=
+          "\n" + tag + " may hold " + (one ? "others" : "all of these") + ", too, to any depth.\n";
     }
     text += lists_of_elements(tag, element->elements);
   }
@@ -149,8 +149,7 @@ std::string default_list(const Declaration& declaration, std::size_t list) {
     const auto declared = own.inside(value.element);
     if (declared->element()->list == list) defaults += markup_of(value, *declared) + "\n";
   }
-  return defaults.empty() ? ""
-                          : "\n" + none + " it is as with\n\n```xml\n" + defaults + "```\n";
+  return defaults.empty() ? "" : "\n" + none + " it is as with\n\n```xml\n" + defaults + "```\n";
 }
 
 // ": `ranges` (m, an array), `hit`"

@@ -275,8 +275,7 @@ class Schema {
 
   // Refers to a group of the elements that a plugin declares, and defines that.
   // `nested`: those of its own list that may stand in an element.
-  std::string declared_elements(const std::string& name,
-                                const std::vector<ElementDeclaration>& all,
+  std::string declared_elements(const std::string& name, const std::vector<ElementDeclaration>& all,
                                 const std::string& nested = "") {
     if (all.empty() && nested.empty()) return "";
     std::string elements;
