@@ -14,13 +14,13 @@ plugin::Object<Behavior> flocking(Parameters parameters = {}) {
 }
 
 /// The way that it wants to drive, deg to the left; only these weights count.
-double wanted_deg(const Situation& now, double separation, double alignment, double cohesion) {
+double flock_wants_deg(const Situation& now, double separation, double alignment, double cohesion) {
   const auto behavior =
       flocking({{"separation", separation}, {"alignment", alignment}, {"cohesion", cohesion}});
   return degrees(behavior->respond(now.perception()).command.turn / 3.0);
 }
 
-double published(const Behavior& behavior, const std::string& name) {
+double flock_publishes(const Behavior& behavior, const std::string& name) {
   for (const auto& each : test::shipped().find(PluginKind::behavior, "flock")->published) {
     if (each.name == name) return each.get(behavior);
   }
@@ -76,18 +76,18 @@ TEST_CASE("flock: each rule alone, added to driving straight on") {
   // One robot on the left, at half of the separation radius, that looks back.
   Situation now;
   now.mate("a", 0, 0.125, false, 180);
-  CHECK(wanted_deg(now, 1, 0, 0) == Approx(angle(1.0, -0.5)));
-  CHECK(wanted_deg(now, 0, 0.5, 0) == Approx(0.0).margin(1e-6));  // 1 - 0.5 ahead
-  CHECK(wanted_deg(now, 0, 0, 1) == Approx(angle(1.0, 0.125)));
+  CHECK(flock_wants_deg(now, 1, 0, 0) == Approx(angle(1.0, -0.5)));
+  CHECK(flock_wants_deg(now, 0, 0.5, 0) == Approx(0.0).margin(1e-6));  // 1 - 0.5 ahead
+  CHECK(flock_wants_deg(now, 0, 0, 1) == Approx(angle(1.0, 0.125)));
   // Alignment is the mean heading, however many there are; separation is a sum.
   now.mate("b", 0, -0.125, false, 90);
-  CHECK(wanted_deg(now, 1, 0, 0) == Approx(0.0).margin(1e-6));
-  CHECK(wanted_deg(now, 0, 1, 0) == Approx(angle(0.5, 0.5)));
-  CHECK(wanted_deg(now, 0, 0, 1) == Approx(0.0).margin(1e-6));
+  CHECK(flock_wants_deg(now, 1, 0, 0) == Approx(0.0).margin(1e-6));
+  CHECK(flock_wants_deg(now, 0, 1, 0) == Approx(angle(0.5, 0.5)));
+  CHECK(flock_wants_deg(now, 0, 0, 1) == Approx(0.0).margin(1e-6));
   // Those at the radii and beyond count for nothing.
   Situation far;
   far.mate("a", 0, 1.0, false, 90);
-  CHECK(wanted_deg(far, 1, 1, 1) == Approx(0.0).margin(1e-6));
+  CHECK(flock_wants_deg(far, 1, 1, 1) == Approx(0.0).margin(1e-6));
 }
 
 TEST_CASE("flock: one at its own place, and one that comes straight towards it") {
@@ -107,8 +107,8 @@ TEST_CASE("flock: alone it drives straight on, and is not active") {
   CHECK(response.command == Motion{0.2, 0.0, 0.0});
   CHECK(response.activation == 0.0);
   CHECK(response.strength == 0.0);
-  CHECK(std::isnan(published(*behavior, "order")));
-  CHECK(std::isnan(published(*behavior, "bearing")));
+  CHECK(std::isnan(flock_publishes(*behavior, "order")));
+  CHECK(std::isnan(flock_publishes(*behavior, "bearing")));
 }
 
 TEST_CASE("flock: it publishes the order around it") {
@@ -116,8 +116,8 @@ TEST_CASE("flock: it publishes the order around it") {
   Situation now;
   now.at(0, 0, 90).mate("a", 0.5, 0, false, 90).mate("b", 0, 0.5, false, -90);
   behavior->respond(now.perception());
-  CHECK(published(*behavior, "order") == Approx(1.0 / 3.0));
-  CHECK(published(*behavior, "mates") == 2.0);
+  CHECK(flock_publishes(*behavior, "order") == Approx(1.0 / 3.0));
+  CHECK(flock_publishes(*behavior, "mates") == 2.0);
 }
 
 TEST_CASE("flock: what others say of their headings is from east, whatever the own heading") {

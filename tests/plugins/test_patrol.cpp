@@ -1,3 +1,4 @@
+#include <cmath>
 #include <set>
 #include <string>
 #include <vector>
@@ -12,21 +13,22 @@ using namespace elsie::test;
 
 namespace {
 
-ElementValue place(double x, double y, double wait = 0.0) {
+ElementValue patrol_place(double x, double y, double wait = 0.0) {
   return {"place", {{"x", x}, {"y", y}, {"wait", wait}}};
 }
 
-const std::vector<ElementValue> kThree{place(1, 0), place(1, 1), place(0, 1)};
+const std::vector<ElementValue> kPatrolPlaces{patrol_place(1, 0), patrol_place(1, 1),
+                                              patrol_place(0, 1)};
 
 plugin::Object<Behavior> patrolling(Parameters parameters = {},
-                                    const std::vector<ElementValue>& places = kThree) {
+                                    const std::vector<ElementValue>& places = kPatrolPlaces) {
   return test::make<Behavior>(PluginKind::behavior, "patrol", std::move(parameters), places);
 }
 
 /// A robot that obeys it, without a body: the places to which it came, by their number, and "." for
 /// the end.
-std::string visits(Behavior& behavior, double seconds, double period_s = 0.05,
-                   const std::vector<ElementValue>& places = kThree) {
+std::string patrol_visits(Behavior& behavior, double seconds, double period_s = 0.05,
+                          const std::vector<ElementValue>& places = kPatrolPlaces) {
   std::string found;
   Pose pose;
   const auto steps = static_cast<int>(seconds / period_s + 0.5);
@@ -56,28 +58,28 @@ std::string visits(Behavior& behavior, double seconds, double period_s = 0.05,
 
 TEST_CASE("patrol: it visits the places in the order of the file, again and again") {
   const auto behavior = patrolling();
-  CHECK_THAT(visits(*behavior, 60.0), Catch::StartsWith("123.123.123."));
+  CHECK_THAT(patrol_visits(*behavior, 60.0), Catch::StartsWith("123.123.123."));
   for (const double period : {1e-3, 1e-2, 0.1}) {
     CAPTURE(period);
-    CHECK_THAT(visits(*patrolling(), 30.0, period), Catch::StartsWith("123.12"));
+    CHECK_THAT(patrol_visits(*patrolling(), 30.0, period), Catch::StartsWith("123.12"));
   }
 }
 
 TEST_CASE("patrol: once is once, and then it is not active") {
   const auto behavior = patrolling({{"order", std::string("once")}});
-  CHECK(visits(*behavior, 60.0) == "123.");
+  CHECK(patrol_visits(*behavior, 60.0) == "123.");
   const Response response = behavior->respond(Situation().at(5, 5, 0).perception());
   CHECK(response.command == Motion{});
   CHECK(response.activation == 0.0);
   CHECK(response.strength == 0.0);
   Random random;
   behavior->reset(random);
-  CHECK(visits(*behavior, 60.0) == "123.");
+  CHECK(patrol_visits(*behavior, 60.0) == "123.");
 }
 
 TEST_CASE("patrol: in a random order each place comes after each other one, never after itself") {
   const auto behavior = patrolling({{"order", std::string("random")}});
-  const std::string way = visits(*behavior, 1500.0);
+  const std::string way = patrol_visits(*behavior, 1500.0);
   REQUIRE(way.size() > 200);
   std::set<std::string> pairs;
   for (std::size_t i = 1; i < way.size(); ++i) pairs.insert(way.substr(i - 1, 2));
@@ -94,7 +96,7 @@ TEST_CASE("patrol: in a random order each place comes after each other one, neve
 }
 
 TEST_CASE("patrol: it waits by the clock, whether it is asked or not") {
-  const auto behavior = patrolling({}, {place(0, 0, 5.0), place(1, 0)});
+  const auto behavior = patrolling({}, {patrol_place(0, 0, 5.0), patrol_place(1, 0)});
   const auto at = [&](double time_s, double x = 0.0) {
     Situation now;
     return behavior->respond(now.at(x, 0, 0).time(time_s).perception());
@@ -111,7 +113,7 @@ TEST_CASE("patrol: it waits by the clock, whether it is asked or not") {
 }
 
 TEST_CASE("patrol: a single place is what go_to_point does") {
-  const auto behavior = patrolling({}, {place(1, 1)});
+  const auto behavior = patrolling({}, {patrol_place(1, 1)});
   const auto point =
       test::make<Behavior>(PluginKind::behavior, "go_to_point", {{"x", 1.0}, {"y", 1.0}});
   for (const Pose& pose : std::vector<Pose>{
@@ -129,9 +131,9 @@ TEST_CASE("patrol: a single place is what go_to_point does") {
 
 TEST_CASE("patrol: places may go while it drives") {
   const auto behavior = patrolling();
-  CHECK(visits(*behavior, 8.0) == "12");
+  CHECK(patrol_visits(*behavior, 8.0) == "12");
   const Declaration* declaration = test::shipped().find(PluginKind::behavior, "patrol");
-  plugin::apply_parameters(*declaration, *behavior, {}, {place(0, 0)});
+  plugin::apply_parameters(*declaration, *behavior, {}, {patrol_place(0, 0)});
   const Response response = behavior->respond(Situation().perception());
   REQUIRE_FALSE(response.events.empty());
   CHECK(response.events[0].name == "at_place");
@@ -139,6 +141,6 @@ TEST_CASE("patrol: places may go while it drives") {
 
 TEST_CASE("patrol: parameters that mean nothing are refused") {
   CHECK_THROWS_WITH(patrolling({{"order", std::string("twice")}}), Catch::Contains("random"));
-  CHECK_THROWS_WITH(patrolling({}, {place(0, 0, -1.0)}), Catch::Contains("wait"));
+  CHECK_THROWS_WITH(patrolling({}, {patrol_place(0, 0, -1.0)}), Catch::Contains("wait"));
   CHECK_THROWS_WITH(patrolling({{"tolerance", 0.0}}), Catch::Contains("tolerance"));
 }
