@@ -139,6 +139,25 @@ TEST_CASE("patrol: places may go while it drives") {
   CHECK(response.events[0].name == "at_place");
 }
 
+TEST_CASE("patrol: a reset on the way begins anew") {
+  const auto behavior = patrolling();
+  CHECK(patrol_visits(*behavior, 8.0) == "12");
+  Random random;
+  behavior->reset(random);
+  CHECK(patrol_visits(*behavior, 8.0) == "12");
+}
+
+TEST_CASE("patrol: when it may go round again, it does") {
+  const auto behavior = patrolling({{"order", std::string("once")}});
+  CHECK(patrol_visits(*behavior, 30.0) == "123.");
+  const Declaration* declaration = test::shipped().find(PluginKind::behavior, "patrol");
+  plugin::apply_parameters(*declaration, *behavior, {{"order", std::string("round")}},
+                           kPatrolPlaces);
+  const Response response = behavior->respond(Situation().at(1, 0, 0).time(31.0).perception());
+  REQUIRE(response.events.size() == 1);
+  CHECK(response.events[0].name == "at_place");
+}
+
 TEST_CASE("patrol: parameters that mean nothing are refused") {
   CHECK_THROWS_WITH(patrolling({{"order", std::string("twice")}}), Catch::Contains("random"));
   CHECK_THROWS_WITH(patrolling({}, {patrol_place(0, 0, -1.0)}), Catch::Contains("wait"));
