@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <catch2/catch.hpp>
 
@@ -41,7 +43,7 @@ struct DodgedFlight {
 };
 
 DodgedFlight dodged_flight(double x, double y, double east, double north,
-                           testing::Settings settings = {}) {
+                           const testing::Settings& settings = {}) {
   return {Puppet("dodge", settings), x, y, east, north};
 }
 

@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -31,7 +34,8 @@ Puppet khatib_robot(testing::Settings more = {}) {
 }
 
 /// The answer of the obstacles alone to beams on the nose.
-Motion khatib_repulsion(std::vector<std::pair<double, double>> beams, double apart_deg = 45.0) {
+Motion khatib_repulsion(const std::vector<std::pair<double, double>>& beams,
+                        double apart_deg = 45.0) {
   Puppet robot = khatib_robot({{"attraction", 0.0}, {"apart_deg", apart_deg}});
   for (const auto& [azimuth, rho] : beams) khatib_beam(robot.now, azimuth, rho);
   return robot.ask().command;
