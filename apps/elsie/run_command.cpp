@@ -248,6 +248,12 @@ void add_run_command(CLI::App& program, Job& job) {
       ->type_name("FILE.png|FILE.svg");
   options->views.paths.add_to(*command);
   command
+      ->add_option("--graph", options->views.graph,
+                   "Draw the states or the tree of a robot's coordinators at the end of the run, "
+                   "with those that are running in colour; by default of the first robot that has "
+                   "such a coordinator")
+      ->type_name("[ROBOT=]FILE.png|FILE.svg");
+  command
       ->add_option("--save-images", options->views.image_folder,
                    "Save what every camera sees, raw and processed, in this folder, as PNG files "
                    "named after step, robot and sensor")

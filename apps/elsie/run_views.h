@@ -24,10 +24,11 @@ struct ViewOptions {
   std::optional<std::string> picture;
   int picture_width = 1000;
   PathOptions paths;
+  std::optional<std::string> graph;  // [ROBOT=]FILE
   std::optional<std::string> image_folder;
   double image_period_s = 0.0;  // simulated time between two saved images; 0: a control period
 
-  bool any() const { return !record.files.empty() || picture || image_folder; }
+  bool any() const { return !record.files.empty() || picture || graph || image_folder; }
 };
 
 /// The views of one run. elsie-commands.so makes them (command_module.h), because they need
@@ -41,7 +42,7 @@ class RunViews {
                     const std::vector<std::filesystem::path>& inputs) = 0;
   /// The observers of the run; none before open().
   virtual std::span<simulation::Observer* const> observers() const = 0;
-  /// Draws the picture, if one is asked for, with a line below its title.
+  /// Draws the picture and the graph that are asked for, with a line below their titles.
   virtual void draw(const simulation::Simulation& simulation, const std::string& line) const = 0;
 };
 

@@ -16,7 +16,7 @@ MAY_NEED = {
     "lib/libelsie-workshop.so": {"libelsie-base", "libelsie-files", "libelsie", "libelsie-formula", "libelsie-inference"},
     "lib/libelsie-editing.so": {"libelsie-base", "libelsie"},
     "lib/libelsie-render.so": {"libelsie-base", "libelsie", "libepoxy"},
-    "lib/libelsie-views.so": {"libelsie-base", "libelsie-files", "libelsie", "libcairo", "libzstd", "libz"},
+    "lib/libelsie-views.so": {"libelsie-base", "libelsie-files", "libelsie", "libcairo", "libcgraph", "libgvc", "libzstd", "libz"},
     "lib/libelsie-testing.so": {"libelsie-base", "libelsie-files", "libelsie", "libelsie-render", "libelsie-workshop"},
     "lib/libelsie-session.so": {"libelsie-base"},
     "lib/libelsie-server.so": {"libelsie-base", "libelsie-files", "libelsie", "libelsie-editing", "libelsie-session", "libelsie-render", "libelsie-views",
@@ -43,6 +43,7 @@ EXCEPTIONS = {"arbiter_states": {"libelsie-formula"}, "arbiter_tree": {"libelsie
 UNWANTED = {"libGL", "libEGL"}
 BROUGHT = {
     "libcairo": {"libpng16"},
+    "libgvc": {"libexpat", "libz"},
     "libpng16": {"libz"},
     "libopencv_core": {"libz"},
     "libQt6Gui": {"libGL", "libEGL", "libpng16"},
