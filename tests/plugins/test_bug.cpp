@@ -46,7 +46,7 @@ struct BugObstacles {
 
 /// A convex obstacle across the straight way: a box, a cylinder, or a prism of three to eight
 /// corners on a circle.
-void add_convex(Random& random, double x, BugObstacles& all) {
+void add_bug_obstacle(Random& random, double x, BugObstacles& all) {
   const auto number = [&](double from, double to) { return from + (to - from) * random.uniform(); };
   const std::string at =
       "x='" + std::to_string(x) + "' y='" + std::to_string(number(-0.3, 0.3)) + "'";
@@ -93,7 +93,7 @@ std::string bug_world(const std::string& obstacles, const std::string& robots,
 
 /// Both algorithms on worlds of four obstacles each. Counts the worlds in which the robot arrives,
 /// touches nothing, and drives no farther than the paper proves.
-void check_arrival(int worlds) {
+void check_bug_arrival(int worlds) {
   for (const std::string algorithm : {"bug1", "bug2"}) {
     int failed = 0;
     double worst = 0.0;
@@ -101,7 +101,7 @@ void check_arrival(int worlds) {
       Random random(static_cast<std::uint64_t>(seed));
       BugObstacles obstacles;
       for (int i = 0; i < 4; ++i) {
-        add_convex(random, -3.0 + 2.1 * i, obstacles);
+        add_bug_obstacle(random, -3.0 + 2.1 * i, obstacles);
       }
       testing::World world = testing::World::from_text(
           bug_world(obstacles.xml, bug_robot(algorithm, seed % 2 == 0 ? "left" : "right")), {},
@@ -133,10 +133,10 @@ void check_arrival(int worlds) {
 }  // namespace
 
 TEST_CASE("bug: it arrives past 1,000 random convex obstacles, as is proven", "[release]") {
-  check_arrival(250);
+  check_bug_arrival(250);
 }
 
-TEST_CASE("bug: it arrives past random convex obstacles") { check_arrival(8); }
+TEST_CASE("bug: it arrives past random convex obstacles") { check_bug_arrival(8); }
 
 TEST_CASE("bug: it knows that a place inside a closed wall cannot be reached") {
   // Four walls around the place, and one of them open for comparison.

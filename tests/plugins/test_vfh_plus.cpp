@@ -46,7 +46,7 @@ Situation vfh_sees(const std::vector<VfhDisc>& discs) {
   return Situation().reading(scan);
 }
 /// Discs side by side from one point to another.
-void add_row(std::vector<VfhDisc>& discs, double x1, double y1, double x2, double y2) {
+void add_vfh_row(std::vector<VfhDisc>& discs, double x1, double y1, double x2, double y2) {
   const int count = static_cast<int>(std::hypot(x2 - x1, y2 - y1) / 0.05);
   for (int i = 0; i <= count; ++i) {
     const double part = static_cast<double>(i) / count;
@@ -179,8 +179,8 @@ TEST_CASE("vfh_plus: what the turning circle cannot pass is masked, though VFH w
   // A wall along the robot's left with an opening to the left: a robot that turns on the spot
   // enters it, one with a large turning circle would hit the edge and drives on.
   std::vector<VfhDisc> discs;
-  add_row(discs, 0.28, 0.35, 2.5, 0.35);
-  add_row(discs, -2.5, 0.35, -0.28, 0.35);
+  add_vfh_row(discs, 0.28, 0.35, 2.5, 0.35);
+  add_vfh_row(discs, -2.5, 0.35, -0.28, 0.35);
   const Situation now = vfh_sees(discs);
   CHECK(vfh_direction(now, 0.0, 2.0) == Approx(90).margin(20));
   CHECK(std::abs(vfh_direction(now, 0.0, 2.0, {{"turning_radius", 0.4}})) < 45);

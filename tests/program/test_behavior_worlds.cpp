@@ -147,3 +147,9 @@ TEST_CASE("vfh_plus drives through the openings between pillars and boxes") {
   check_seeds("vfh_plus");
   check_fails("vfh_plus", "robot[r1]/behavior[vfh_plus]=<go_to_point x=\"4\"/>");
 }
+
+TEST_CASE("dynamic_window drives between pillars and boxes, in little time") {
+  check_seeds("dynamic_window");
+  check_fails("dynamic_window", "robot[r1]/behavior[dynamic_window]=<go_to_point x=\"4\"/>");
+  check_fails("dynamic_window", "robot[r1]/behavior[dynamic_window]=<vfh_plus x=\"4\"/>");
+}

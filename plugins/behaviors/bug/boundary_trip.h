@@ -59,16 +59,29 @@ class BoundaryTrip {
     return least_ < spacing_ && off > least_ + kPassed;
   }
 
-  /// The point of the boundary that is nearest to the goal, with the heading there.
-  const elsie::Pose& nearest() const { return nearest_; }
+  /// It leaves the boundary here, which is near the nearest point for Bug1. `wall_rad`: where the
+  /// obstacle is from the heading along the boundary.
+  void leave(const elsie::Pose& pose, double wall_rad) {
+    leave_ = {pose.x, pose.y, nearest_.heading_rad + wall_rad};
+  }
+  /// It begins anew: it has left nothing.
+  void forget_leave() { leave_ = {1e9, 1e9, 0.0}; }
+  /// Whether it is still at L, and this direction in the world leads into the obstacle there.
+  bool leads_back(const elsie::Pose& pose, double direction_rad) const {
+    constexpr double kSame = 0.1;  // m, within it two points are the same
+    return elsie::distance(pose, leave_) < kSame &&
+           std::cos(direction_rad - leave_.heading_rad) > 0.0;
+  }
   /// From H to the goal, m.
   double hit_away_m() const { return hit_away_; }
 
   void remember(elsie::Memory& memory) {
-    double* const numbers[] = {&hit_.x,    &hit_.y,     &hit_.heading_rad, &last_.x,
-                               &last_.y,   &nearest_.x, &nearest_.y,       &nearest_.heading_rad,
-                               &hit_away_, &spacing_,   &nearest_away_,    &path_,
-                               &past_hit_, &least_,     &nearest_path_};
+    double* const numbers[] = {
+        &hit_.x,    &hit_.y,       &hit_.heading_rad,   &last_.x,
+        &last_.y,   &nearest_.x,   &nearest_.y,         &nearest_.heading_rad,
+        &hit_away_, &spacing_,     &nearest_away_,      &path_,
+        &leave_.x,  &leave_.y,     &leave_.heading_rad, &past_hit_,
+        &least_,    &nearest_path_};
     std::vector<double> values;
     for (const double* const number : numbers) values.push_back(*number);
     memory("trip", values);
@@ -81,13 +94,14 @@ class BoundaryTrip {
 
  private:
   elsie::Pose hit_, last_, nearest_;
-  double hit_away_ = 0.0;          // m, from H to the goal
-  double nearest_away_ = 0.0;      // m, from the nearest point to the goal
-  double spacing_ = 0.0;           // m
-  double path_ = 0.0;              // m along the boundary since H
-  double nearest_path_ = 0.0;      // m along the boundary from H to the nearest point
-  double past_hit_ = 0.0;          // m, past H in the direction of the boundary
-  double least_ = 0.0;             // m, as near as it has come to the nearest point again
-  bool has_left_ = false;          // it has been away from H
-  bool has_left_nearest_ = false;  // and from the nearest point
+  elsie::Pose leave_{1e9, 1e9, 0.0};  // L; the heading is that to the obstacle
+  double hit_away_ = 0.0;             // m, from H to the goal
+  double nearest_away_ = 0.0;         // m, from the nearest point to the goal
+  double spacing_ = 0.0;              // m
+  double path_ = 0.0;                 // m along the boundary since H
+  double nearest_path_ = 0.0;         // m along the boundary from H to the nearest point
+  double past_hit_ = 0.0;             // m, past H in the direction of the boundary
+  double least_ = 0.0;                // m, as near as it has come to the nearest point again
+  bool has_left_ = false;             // it has been away from H
+  bool has_left_nearest_ = false;     // and from the nearest point
 };

@@ -13,12 +13,12 @@
 // The automaton of the paper is a point: here the boundary runs at `distance` from the obstacle.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
 
 #include "boundary_trip.h"
+#include "m_line.h"
 #include "place_goal.h"
 #include "seen_points.h"
 #include "wall_pursuit.h"
@@ -62,15 +62,16 @@ class Bug final : public PlaceGoal {
     const Pose& pose = now.self().pose;
     const bool was_away = now.time_s() - asked_s_ > std::max(kAway, 2.0 * now.period_s());
     asked_s_ = now.time_s();
-    if (state_ == State::begin || x != goal_.x || y != goal_.y ||
+    if (state_ == State::begin || x != m_line_.goal().x || y != m_line_.goal().y ||
         (was_away && state_ != State::given_up)) {
       start(pose);
     }
+    const bool meets = m_line_.meets(pose);
     elsie::Response response;
     if (state_ == State::to_goal) {
       go(now, away_m, off_rad, response);
     } else if (state_ == State::boundary || state_ == State::returning) {
-      follow(now, away_m, off_rad, response);
+      follow(now, away_m, off_rad, meets, response);
     }
     if (state_ == State::aligning) {
       align(now, response);
@@ -78,7 +79,6 @@ class Bug final : public PlaceGoal {
       response.command = {};
       response.activation = 0.0;
     }
-    last_ = {pose.x, pose.y};
     return response;
   }
 
@@ -90,7 +90,6 @@ class Bug final : public PlaceGoal {
   static constexpr double kStraight = 0.1;   // rad, farther off it turns on the spot
   static constexpr double kAligned = 0.05;   // rad
   static constexpr double kSame = 0.1;       // m, within it two points are the same
-  static constexpr double kBand = 0.01;      // m, half the width of the M-line
   static constexpr double kCorridor = 0.75;  // distances to either side that are looked at
 
   bool is_bug1() const { return algorithm == "bug1"; }
@@ -98,9 +97,8 @@ class Bug final : public PlaceGoal {
   /// Begins anew from here.
   void start(const Pose& pose) {
     state_ = State::to_goal;
-    goal_ = {x, y};
-    start_ = last_ = {pose.x, pose.y};
-    leave_ = {1e9, 1e9, 0.0};
+    m_line_.begin(pose, {x, y});
+    trip_.forget_leave();
   }
 
   /// Straight lines only: what is ahead is seen, what is on a curve may be not.
@@ -113,9 +111,7 @@ class Bug final : public PlaceGoal {
       return;
     }
     const Pose& pose = now.self().pose;
-    const double wall = leave_.heading_rad + (side == "left" ? 0.5 : -0.5) * std::numbers::pi;
-    if (is_bug1() && elsie::distance(pose, leave_) < kSame &&
-        std::cos(pose.heading_rad + *obstacle - wall) > 0.0) {
+    if (is_bug1() && trip_.leads_back(pose, pose.heading_rad + *obstacle)) {
       give_up(response);  // the way from L to the goal crosses the same obstacle, at L
       return;
     }
@@ -128,7 +124,7 @@ class Bug final : public PlaceGoal {
     response.events.push_back({"hit_point"});
   }
 
-  void follow(const elsie::Perception& now, double away_m, double off_rad,
+  void follow(const elsie::Perception& now, double away_m, double off_rad, bool meets,
               elsie::Response& response) {
     const Pose& pose = now.self().pose;
     const WallPursuit::State before = pursuit_.look(now);
@@ -139,8 +135,8 @@ class Bug final : public PlaceGoal {
     }
     response.activation = response.strength = 1.0;
     if (state_ == State::returning ? trip_.passes_nearest(pose)
-                                   : !is_bug1() && is_on_m_line(now, away_m, off_rad)) {
-      leave_ = {pose.x, pose.y, trip_.nearest().heading_rad};
+                                   : meets && is_free(now, away_m, off_rad)) {
+      trip_.leave(pose, (side == "left" ? 0.5 : -0.5) * std::numbers::pi);
       state_ = State::to_goal;
       response = elsie::Motion{};
       response.events.push_back({"leave_point"});
@@ -169,37 +165,16 @@ class Bug final : public PlaceGoal {
     response.command = {0.0, 0.0, std::clamp(kGain * off, -turn_rate, turn_rate)};
   }
 
-  /// The direction of the nearest point that the robot would come too near to on its way.
+  /// The direction of what the robot would come too near to on its way.
   std::optional<double> in_the_way(const elsie::Perception& now, double away_m, double off_rad) {
-    const double c = std::cos(off_rad), s = std::sin(off_rad);
     const double ahead = std::min(distance, away_m + body_radius(now.self()));
-    double nearest = std::numeric_limits<double>::infinity();
-    std::optional<double> direction;
-    for_each_seen_point(now, [&](const elsie::Vector2& point) {
-      const double along = c * point.x + s * point.y, aside = c * point.y - s * point.x;
-      const double range = std::hypot(point.x, point.y);
-      if (along > 0.0 && along <= ahead && std::abs(aside) < kCorridor * distance &&
-          range < nearest) {
-        nearest = range;
-        direction = std::atan2(point.y, point.x);
-      }
-    });
-    return direction;
+    return nearest_in_corridor(now, off_rad, ahead, kCorridor * distance);
   }
 
-  /// It crosses the M-line, nearer to the goal than H, and the obstacle is not in the way.
-  bool is_on_m_line(const elsie::Perception& now, double away_m, double off_rad) {
-    const elsie::Vector2 line{x - start_.x, y - start_.y};
-    const double length = std::max(1e-9, std::hypot(line.x, line.y));
-    const auto aside = [&](double at_x, double at_y) {
-      return (line.x * (at_y - start_.y) - line.y * (at_x - start_.x)) / length;
-    };
-    const double here = aside(now.self().pose.x, now.self().pose.y);
-    if ((std::abs(here) >= kBand && here * aside(last_.x, last_.y) >= 0.0) ||
-        away_m >= trip_.hit_away_m() - kSame) {
-      return false;
-    }
-    // Another obstacle, not on the side of this one, may well be in the way: that is the next H.
+  /// Bug2: whether it leaves here, on the M-line nearer than H. Another obstacle, not on the side
+  /// of this one, may well be in the way: that is the next H.
+  bool is_free(const elsie::Perception& now, double away_m, double off_rad) {
+    if (is_bug1() || away_m >= trip_.hit_away_m() - kSame) return false;
     const auto obstacle = in_the_way(now, away_m, off_rad);
     return !obstacle || std::sin(*obstacle) * pursuit_.towards_wall() < -0.5;
   }
@@ -215,31 +190,22 @@ class Bug final : public PlaceGoal {
 
   WallPursuit pursuit_;
   BoundaryTrip trip_;
+  MLine m_line_;
   State state_ = State::begin;
-  State next_ = State::boundary;        // after aligning
-  double asked_s_ = -1e9;               // when it was asked last
-  elsie::Vector2 goal_, start_, last_;  // the place in use, where it began, the last step
-  Pose leave_;                          // L; the heading is that along the boundary
-  double heading_ = 0.0;                // while aligning: the one to turn to
-  bool is_reversed_ = false;            // the obstacle is on the other side
+  State next_ = State::boundary;  // after aligning
+  double asked_s_ = -1e9;         // when it was asked last
+  double heading_ = 0.0;          // while aligning: the one to turn to
+  bool is_reversed_ = false;      // the obstacle is on the other side
 };
 
 void Bug::remember(elsie::Memory& memory) {
   PlaceGoal::remember(memory);
   pursuit_.remember(memory);
   trip_.remember(memory);
+  m_line_.remember(memory);
   memory("bug_state", state_);
   memory("bug_next", next_);
   memory("bug_asked_s", asked_s_);
-  memory("goal_x", goal_.x);
-  memory("goal_y", goal_.y);
-  memory("start_x", start_.x);
-  memory("start_y", start_.y);
-  memory("last_x", last_.x);
-  memory("last_y", last_.y);
-  memory("leave_x", leave_.x);
-  memory("leave_y", leave_.y);
-  memory("leave_heading", leave_.heading_rad);
   memory("align_to", heading_);
   memory("is_reversed", is_reversed_);
   turn_side(is_reversed_);

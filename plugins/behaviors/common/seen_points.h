@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include <elsie/api/perception.h>
@@ -37,6 +39,24 @@ void for_each_seen_point(const elsie::Perception& now, Use use) {
                          at.position.y + s * ahead * x + c * y});
     }
   }
+}
+
+/// The azimuth of the nearest point that is seen in a corridor: from the robot's middle `ahead_m`
+/// in this direction, and `aside_m` to either side of that.
+inline std::optional<double> nearest_in_corridor(const elsie::Perception& now, double direction_rad,
+                                                 double ahead_m, double aside_m) {
+  const double c = std::cos(direction_rad), s = std::sin(direction_rad);
+  double nearest = std::numeric_limits<double>::infinity();
+  std::optional<double> azimuth;
+  for_each_seen_point(now, [&](const elsie::Vector2& point) {
+    const double along = c * point.x + s * point.y, aside = c * point.y - s * point.x;
+    const double range = std::hypot(point.x, point.y);
+    if (along > 0.0 && along <= ahead_m && std::abs(aside) < aside_m && range < nearest) {
+      nearest = range;
+      azimuth = std::atan2(point.y, point.x);
+    }
+  });
+  return azimuth;
 }
 
 /// Half the diagonal of the chassis: the robot as a disc, m.
