@@ -94,9 +94,9 @@ ELSIE_MEASURE(
                      {.unit = "s", .min = 0, .meaning = "time to fall in, which is left out"}),
     elsie::elements(
         &FormationError::members,
-        elsie::element("member", "A robot and its place in the leader's frame",
-                       elsie::parameter("robot", &Place::robot,
-                                        {.meaning = "id of the robot", .required = true}),
-                       elsie::parameter("x", &Place::x,
-                                        {.unit = "m", .meaning = "ahead of the leader"}),
-                       elsie::parameter("y", &Place::y, {.unit = "m", .meaning = "to its left"}))));
+        elsie::element<Place>(
+            "member", "A robot and its place in the leader's frame",
+            elsie::parameter("robot", &Place::robot,
+                             {.meaning = "id of the robot", .required = true}),
+            elsie::parameter("x", &Place::x, {.unit = "m", .meaning = "ahead of the leader"}),
+            elsie::parameter("y", &Place::y, {.unit = "m", .meaning = "to its left"}))));
