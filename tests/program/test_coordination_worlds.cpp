@@ -133,8 +133,8 @@ TEST_CASE("Worlds that one coordinator solves, and others do not") {
       {"inhibition", {"<arbiter_action_selection/>"}},
       {"errand", {"<arbiter_action_selection/>", "<arbiter_suppression/>"}},
       {"fetch", {"<arbiter_action_selection/>", "<fusion_vector_summation/>"}},
-      {"guard", {"<arbiter_action_selection/>", "<arbiter_suppression/>"}},
-      {"slide", {"<arbiter_action_selection/>", "<fusion_vector_summation/>"}},
+      {"guard", {"<fusion_vector_summation/>", "<arbiter_suppression/>"}},
+      {"slide", {"<arbiter_action_selection/>", "<arbiter_suppression/>"}},
   };
   for (const Case& each : all) {
     CAPTURE(each.world);

@@ -67,6 +67,25 @@ TEST_CASE("run records and draws") {
   CHECK_THAT(here.read("run.png"), Catch::StartsWith("\x89PNG"));
 }
 
+TEST_CASE("--graph draws what coordinators are made of, as it is at the end") {
+  Workplace here;
+  CHECK(here.elsie("run worlds/guard.xml --duration 1 --quiet --graph guard.svg").exit_code == 1);
+  CHECK_THAT(here.read("guard.svg"),
+             Catch::Contains("north_east") && Catch::Contains("#ffd966") &&
+                 Catch::Contains("r1: time_limit after 1.0 s"));
+  const auto refusal = [&](const std::string& arguments) {
+    const auto run = here.elsie("run " + arguments);
+    CHECK(run.exit_code == 2);
+    return run.err;
+  };
+  CHECK_THAT(refusal("worlds/open_arena.xml --graph a.svg"),
+             Catch::Contains("--graph: no coordinator in this world shows a graph"));
+  CHECK_THAT(refusal("worlds/guard.xml --graph r2=a.svg"), Catch::Contains("r2"));
+  CHECK_THAT(refusal("worlds/guard.xml --graph a.gif"),
+             Catch::Contains("--graph: a picture's name must end in .png or .svg"));
+  CHECK_FALSE(std::filesystem::exists(here / "a.svg"));
+}
+
 TEST_CASE("--set changes any attribute by its path") {
   Workplace here;
   const auto distance = [&](const std::string& options) {
