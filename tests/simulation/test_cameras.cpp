@@ -249,7 +249,7 @@ TEST_CASE("A camera that cannot look for a resource's colour is refused, whoseso
   world.obstacles[0].team = "blue";
   CHECK(refusal(world).empty());
   world.obstacles[0].team = "red";
-  world.robots[0].sensors[0].elements = {{{"match_colour", {{"colours", "#ffd000"}}}, {}, {}}};
+  world.robots[0].sensors[0].elements = {{"match_colour", {{"colours", "#ffd000"}}, {}, {}, {}}};
   CHECK(refusal(world).empty());
 }
 

@@ -336,7 +336,7 @@ TEST_CASE("A camera is not made to look for what no camera can find while a run 
   ScriptedHost scripted([](const Perception&) { return Motion{}; });
   world::World world = with_camera();
   world.obstacles[0].colour = Colour{128, 128, 128};
-  world.robots[0].sensors[0].elements = {{{"match_colour", {{"colours", "#ffd000"}}}, {}, {}}};
+  world.robots[0].sensors[0].elements = {{"match_colour", {{"colours", "#ffd000"}}, {}, {}, {}}};
   Simulation simulation(world, scripted.host, {.cameras = render::world_cameras});
   simulation.step();
   const std::string path = "robot[r1]/sensor[eye]/match_colour/@colours";

@@ -13,7 +13,7 @@ namespace {
 
 using simulation::LitGraph;
 
-constexpr const char* kFont = "DejaVu Sans";
+constexpr const char* kGraphFont = "DejaVu Sans";
 
 const char* fill_of(NodeState state) {
   switch (state) {
@@ -100,15 +100,15 @@ void set_defaults(Agraph_t* page, const std::string& title) {
   by_default(AGRAPH, "label", title);
   by_default(AGRAPH, "labelloc", "t");
   by_default(AGRAPH, "compound", "true");
-  by_default(AGRAPH, "fontname", kFont);
+  by_default(AGRAPH, "fontname", kGraphFont);
   by_default(AGRAPH, "bgcolor", "white");
   by_default(AGRAPH, "dpi", "144");
   by_default(AGRAPH, "ranksep", "0.6");
   by_default(AGNODE, "shape", "box");
   by_default(AGNODE, "style", "rounded,filled");
-  by_default(AGNODE, "fontname", kFont);
+  by_default(AGNODE, "fontname", kGraphFont);
   by_default(AGNODE, "fontsize", "12");
-  by_default(AGEDGE, "fontname", kFont);
+  by_default(AGEDGE, "fontname", kGraphFont);
   by_default(AGEDGE, "fontsize", "10");
   by_default(AGEDGE, "color", "#606060");
 }
