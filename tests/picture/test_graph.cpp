@@ -21,7 +21,7 @@ LitGraph states() {
   return lit;
 }
 
-long count(const std::string& text, const std::string& part) {
+long times(const std::string& text, const std::string& part) {
   long found = 0;
   for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++found;
   return found;
@@ -35,10 +35,10 @@ TEST_CASE("A graph is drawn with its names, its edges, and what is running in co
                             "fresh", "r1: after 3 s"}) {
     CHECK_THAT(svg, Contains(words));
   }
-  CHECK(count(svg, "class=\"edge\"") == 3);
-  CHECK(count(svg, "class=\"node\"") == 3);  // a state that holds others is a frame
-  CHECK(count(svg, "class=\"cluster\"") == 1);
-  CHECK(count(svg, "#ffd966") == 1);  // carry
+  CHECK(times(svg, "class=\"edge\"") == 3);
+  CHECK(times(svg, "class=\"node\"") == 3);  // a state that holds others is a frame
+  CHECK(times(svg, "class=\"cluster\"") == 1);
+  CHECK(times(svg, "#ffd966") == 1);  // carry
   CHECK(picture::draw_graphs({states()}, "r1: after 3 s", "svg") == svg);
 }
 
@@ -48,17 +48,17 @@ TEST_CASE("What succeeded and what failed have colours of their own") {
   tree.graph.edges = {{0, 1}, {0, 2}, {0, 3}};
   tree.lights = {NodeState::running, NodeState::failure, NodeState::success, NodeState::dark};
   const std::string svg = picture::draw_graphs({tree}, "", "svg");
-  CHECK(count(svg, "#f4b6ae") == 1);
-  CHECK(count(svg, "#b6d7a8") == 1);
-  CHECK(count(svg, "#fafafa") == 1);
+  CHECK(times(svg, "#f4b6ae") == 1);
+  CHECK(times(svg, "#b6d7a8") == 1);
+  CHECK(times(svg, "#fafafa") == 1);
 }
 
 TEST_CASE("Several graphs of a robot stand in frames with their paths") {
   LitGraph inner = states();
   inner.path = "explore/arbiter_states";
   const std::string svg = picture::draw_graphs({states(), inner}, "r1", "svg");
-  CHECK(count(svg, "class=\"node\"") == 6);
-  CHECK(count(svg, "class=\"cluster\"") == 4);
+  CHECK(times(svg, "class=\"node\"") == 6);
+  CHECK(times(svg, "class=\"cluster\"") == 4);
   CHECK_THAT(svg, Contains("explore/arbiter_states"));
 }
 

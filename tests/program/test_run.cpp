@@ -83,7 +83,7 @@ TEST_CASE("--graph draws what coordinators are made of, as it is at the end") {
   CHECK_THAT(refusal("worlds/guard.xml --graph r2=a.svg"), Catch::Contains("r2"));
   CHECK_THAT(refusal("worlds/guard.xml --graph a.gif"),
              Catch::Contains("--graph: a picture's name must end in .png or .svg"));
-  CHECK_FALSE(std::filesystem::exists(here / "a.svg"));
+  CHECK_FALSE(std::filesystem::exists(here.file("a.svg")));
 }
 
 TEST_CASE("--set changes any attribute by its path") {
