@@ -94,6 +94,7 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
     memory("state", name);
     memory("since", since_s_);
     return_to(name);
+    if (memory.recalls() && since_s_) entered_s_.assign(places_.size(), *since_s_);
   }
 
   elsie::Motion coordinate(std::span<elsie::Member> members,

@@ -81,7 +81,7 @@ class Drawing {
   void add_edge(const Graph::Edge& edge, Agraph_t* page) {
     Agedge_t* const made = agedge(page, nodes_[representative(edge.from)],
                                   nodes_[representative(edge.to)], nullptr, 1);
-    set(made, "label", edge.label);
+    set(made, "label", edge.label.empty() ? "" : " " + edge.label + " ");
     if (holds_[edge.from]) set(made, "ltail", "cluster" + prefix_ + std::to_string(edge.from));
     if (holds_[edge.to]) set(made, "lhead", "cluster" + prefix_ + std::to_string(edge.to));
   }
