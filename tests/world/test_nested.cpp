@@ -253,7 +253,8 @@ TEST_CASE("Mistakes in elements inside elements are reported, each on its line")
       problems(plan(R"(
     <phase name="day"><phase name="noon"><leave event="noone"/></phase></phase>)")) ==
       "world.xml:2: 'plan' is for the event 'noone', which neither the simulator nor a rule nor a "
-      "behaviour of robot 'r1' raises; there are: ");
+      "behaviour of the robot 'r1' raises; there are: battery_empty, bored, charging_ended, "
+      "charging_started, collected, collision, delivered, released, taken");
 }
 
 TEST_CASE("Paths lead into elements inside elements") {
