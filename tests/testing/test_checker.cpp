@@ -171,6 +171,16 @@ TEST_CASE("A plugin that is not there is no finding") {
   CHECK_THROWS_WITH(check_plugin(kBehavior, "wandr"), Catch::Contains("did you mean 'wander'?"));
 }
 
+namespace {
+
+ElementValue state(const char* name, const char* behavior, const char* next) {
+  const ElementValue after{"transition", {{"to", std::string(next)}, {"after", 0.05}}};
+  return {"state", {{"name", std::string(name)}, {"behavior", std::string(behavior)}}, {after}};
+}
+ElementValue run(const char* behavior) { return {"run", {{"behavior", std::string(behavior)}}}; }
+
+}  // namespace
+
 TEST_CASE("All shipped plugins pass the checker") {
   for (const PluginKind kind : {kBehavior, kCoordinator, kSensor, kDrive, kActuator}) {
     for (const Declaration* declaration : Plugins::found().host().all(kind)) {
@@ -180,6 +190,14 @@ TEST_CASE("All shipped plugins pass the checker") {
       if (name == "fusion_context_blending") {
         options.settings = {{"model", "fuzzy_models/contexts_of_travel.fcl"}};
         options.members = {"go_to_point", "avoid_obstacle", "recharge"};
+      } else if (name == "arbiter_states") {
+        options.members = {"low", "high"};
+        options.elements = {state("a", "low", "b"), state("b", "high", "a")};
+      } else if (name == "arbiter_tree") {
+        options.members = {"low", "high"};
+        options.elements = {{"fallback",
+                             {{"memory", false}},
+                             {{"sequence", {}, {run("low"), run("high")}}, run("high")}}};
       }
       CHECK_THAT(check_plugin(kind, name, options), finds_nothing());
     }
