@@ -99,7 +99,13 @@ void BehaviorsDialog::fill_pool() {
       (new QListWidgetItem(kind.name, pool_))->setToolTip(kind.description);
     }
   }
-  pool_->setCurrentRow(std::clamp(row, 0, std::max(0, pool_->count() - 1)));
+  // It begins with what most robots need.
+  const auto usual = pool_->findItems("avoid_obstacle", Qt::MatchExactly);
+  if (row < 0 && !usual.isEmpty()) {
+    pool_->setCurrentItem(usual.front());
+  } else {
+    pool_->setCurrentRow(std::clamp(row, 0, std::max(0, pool_->count() - 1)));
+  }
   about_->setText(pool_->currentItem() ? pool_->currentItem()->toolTip() : QString());
   enable();
 }
