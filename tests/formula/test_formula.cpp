@@ -147,5 +147,8 @@ TEST_CASE("A formula compares nothing, and a condition that is wrong is refused 
   CHECK_THAT(mistake_in_condition("not a"), Catch::StartsWith("column 1: 'not' is a function"));
   CHECK_THAT(mistake_in_condition("sin(a)"),
              Catch::Contains("there are: min, max, abs, sqrt, log, exp, not"));
+  CHECK_THAT(mistake_in_condition("0 < a < 1"),
+             Catch::StartsWith("column 7: comparisons do not stand in a row"));
+  CHECK(mistake_in_condition("(a < 1) == (b < 1) and a <= b").empty());
   CHECK_THAT(mistake_in_condition(""), Catch::StartsWith("column 1: the formula is empty"));
 }

@@ -62,6 +62,12 @@ TEST_CASE("Several graphs of a robot stand in frames with their paths") {
   CHECK_THAT(svg, Contains("explore/arbiter_states"));
 }
 
+TEST_CASE("A backslash in a name is a backslash") {
+  LitGraph odd = states();
+  odd.graph.nodes[2].label = "q \\N \\G";
+  CHECK_THAT(picture::draw_graphs({odd}, "a\\b", "svg"), Contains("q \\N \\G") && Contains("a\\b"));
+}
+
 TEST_CASE("A PNG of a graph is a PNG") {
   const std::string png = picture::draw_graphs({states()}, "r1", "png");
   CHECK(png.substr(1, 3) == "PNG");

@@ -51,6 +51,7 @@ class Views final : public RunViews {
     check(options_.record);
     if (options_.graph) {
       const std::size_t equals = options_.graph->find('=');
+      if (equals == 0) throw BadInput("--graph " + *options_.graph + ": the robot's id is missing");
       if (equals != std::string::npos) graph_robot_ = options_.graph->substr(0, equals);
       graph_file_ = options_.graph->substr(equals == std::string::npos ? 0 : equals + 1);
       require_picture(graph_file_, "--graph");

@@ -62,8 +62,10 @@ void check_named_events(const PluginUse& use, const Declaration& declaration,
                          const std::vector<ParameterDeclaration>& declared, const std::string& name,
                          const Location& where) {
     const auto set = given.find(name);
-    const auto& event = std::get<std::string>(
-        set == given.end() ? plugin::find_declared(declared, name)->default_value : set->second);
+    const auto* const parameter = plugin::find_declared(declared, name);
+    if (!parameter) return;  // another element of that name has it
+    const auto& event =
+        std::get<std::string>(set == given.end() ? parameter->default_value : set->second);
     if (event.empty()) return;
     require_event("'" + use.plugin + "' is for the event", event, raised, whose, where, problems);
   };

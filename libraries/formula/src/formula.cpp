@@ -95,6 +95,7 @@ double largest(const double* values, int count) {
 std::vector<Formula::Name> scanned(const std::string& text, Kind kind) {
   const bool is_condition = kind == Kind::condition;
   const std::string_view signs = is_condition ? "+-*/^(),<>=! \t\r\n" : "+-*/^(), \t\r\n";
+  std::vector<int> comparisons{0};  // that are not joined yet, in each pair of brackets
   std::vector<Formula::Name> names;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t begin = at;
@@ -113,7 +114,10 @@ std::vector<Formula::Name> scanned(const std::string& text, Kind kind) {
       const std::string name = text.substr(begin, at - begin);
       const std::size_t next = text.find_first_not_of(" \t\r\n", at);
       const bool called = next != std::string::npos && text[next] == '(';
-      if (is_condition && (name == "and" || name == "or")) continue;
+      if (is_condition && (name == "and" || name == "or")) {
+        comparisons.back() = 0;
+        continue;
+      }
       const bool is_function = is_function_of(kind, name);
       if (called && !is_function) {
         fail(begin + 1, "there is no function '" + name + "'; there are: " + functions(kind));
@@ -126,6 +130,15 @@ std::vector<Formula::Name> scanned(const std::string& text, Kind kind) {
         names.push_back({name, begin + 1});
       }
     } else if (signs.find(text[at]) != std::string_view::npos) {
+      if (text[at] == '(') comparisons.push_back(0);
+      if (text[at] == ')' && comparisons.size() > 1) comparisons.pop_back();
+      if (text[at] == ',') comparisons.back() = 0;
+      if (std::string_view("<>=!").find(text[at]) != std::string_view::npos) {
+        if (++comparisons.back() > 1) {
+          fail(begin + 1, "comparisons do not stand in a row; write a < b and b < c");
+        }
+        if (at + 1 < text.size() && text[at + 1] == '=') ++at;
+      }
       ++at;
     } else {
       at += std::max<std::size_t>(base::character_at(text, at).bytes, 1);

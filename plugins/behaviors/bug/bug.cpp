@@ -6,9 +6,10 @@
 //
 //   to_goal    straight to the goal, until an obstacle is in the way: H
 //   aligning   on the spot, until the obstacle is on the wanted side
-//   boundary   along the obstacle. Bug1: once round it. Bug2: to a point of the M-line nearer than
-//   H returning  Bug1: along the obstacle to Q, the shorter way; that is L given_up   the goal
-//   cannot be reached
+//   boundary   along the obstacle. Bug1: once round it.
+//              Bug2: to a point of the M-line that is nearer than H
+//   returning  Bug1: along the obstacle to Q, the shorter way; that is L
+//   given_up   the goal cannot be reached
 //
 // The automaton of the paper is a point: here the boundary runs at `distance` from the obstacle.
 #include <algorithm>
@@ -78,6 +79,7 @@ class Bug final : public PlaceGoal {
     } else if (state_ == State::given_up) {
       response.command = {};
       response.activation = 0.0;
+      response.status = elsie::Status::failure;
     }
     return response;
   }
@@ -168,7 +170,9 @@ class Bug final : public PlaceGoal {
   /// The direction of what the robot would come too near to on its way.
   std::optional<double> in_the_way(const elsie::Perception& now, double away_m, double off_rad) {
     const double ahead = std::min(distance, away_m + body_radius(now.self()));
-    return nearest_in_corridor(now, off_rad, ahead, kCorridor * distance);
+    constexpr double kMargin = 0.02;  // m
+    const double aside = std::max(kCorridor * distance, 0.5 * now.self().width_m + kMargin);
+    return nearest_in_corridor(now, off_rad, ahead, aside);
   }
 
   /// Bug2: whether it leaves here, on the M-line nearer than H. Another obstacle, not on the side

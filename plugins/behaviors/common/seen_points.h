@@ -1,5 +1,4 @@
-// The points at which range sensors and lidars see something; shared by bug, vfh_plus and
-// dynamic_window.
+// The points at which range sensors and lidars see something.
 #pragma once
 
 #include <cmath>
@@ -11,8 +10,16 @@
 #include <elsie/api/perception.h>
 #include <elsie/readings/lidar.h>
 
-/// Calls use(point) for each point in the robot's frame (m). Leaves out what the sensors of its
-/// segments see, and what is no higher than the floor.
+/// A surface that a ray has hit, in the robot's frame.
+struct SeenPoint {
+  elsie::Vector2 place;  // m
+  elsie::Vector2 ray;    // unit vector along the ray, seen from above
+
+  double azimuth_rad() const { return std::atan2(ray.y, ray.x); }
+};
+
+/// Calls use(SeenPoint) for each of them: beams first, then lidars, each with its rays from left to
+/// right. Leaves out what the sensors of segments see, and what is no higher than the floor.
 template <class Use>
 void for_each_seen_point(const elsie::Perception& now, Use use) {
   constexpr double kFloor = 0.005;  // m
@@ -21,8 +28,8 @@ void for_each_seen_point(const elsie::Perception& now, Use use) {
     const double height = at.position.z + beam->distance_m * std::sin(at.pitch_rad);
     if (!beam->hit || at.segment != 0 || (at.pitch_rad < 0.0 && height < kFloor)) continue;
     const double level = beam->distance_m * std::cos(at.pitch_rad);
-    use(elsie::Vector2{at.position.x + level * std::cos(at.azimuth_rad),
-                       at.position.y + level * std::sin(at.azimuth_rad)});
+    const elsie::Vector2 ray{std::cos(at.azimuth_rad), std::sin(at.azimuth_rad)};
+    use(SeenPoint{{at.position.x + level * ray.x, at.position.y + level * ray.y}, ray});
   }
   for (const auto& scan : now.readings<elsie::LidarReading>()) {
     const elsie::Mounting& at = scan.mounting();
@@ -35,8 +42,11 @@ void for_each_seen_point(const elsie::Perception& now, Use use) {
       const double x = range * std::cos(scan->azimuth_rad(i));
       const double y = range * std::sin(scan->azimuth_rad(i));
       if (up != 0.0 && at.position.z + x * up < kFloor) continue;
-      use(elsie::Vector2{at.position.x + c * ahead * x - s * y,
-                         at.position.y + s * ahead * x + c * y});
+      const elsie::Vector2 way{c * ahead * x - s * y, s * ahead * x + c * y};
+      const double level = std::hypot(way.x, way.y);
+      if (!(level > 0.0)) continue;
+      use(SeenPoint{{at.position.x + way.x, at.position.y + way.y},
+                    {way.x / level, way.y / level}});
     }
   }
 }
@@ -48,7 +58,8 @@ inline std::optional<double> nearest_in_corridor(const elsie::Perception& now, d
   const double c = std::cos(direction_rad), s = std::sin(direction_rad);
   double nearest = std::numeric_limits<double>::infinity();
   std::optional<double> azimuth;
-  for_each_seen_point(now, [&](const elsie::Vector2& point) {
+  for_each_seen_point(now, [&](const SeenPoint& seen) {
+    const elsie::Vector2& point = seen.place;
     const double along = c * point.x + s * point.y, aside = c * point.y - s * point.x;
     const double range = std::hypot(point.x, point.y);
     if (along > 0.0 && along <= ahead_m && std::abs(aside) < aside_m && range < nearest) {
@@ -64,10 +75,21 @@ inline double body_radius(const elsie::OwnState& self) {
   return 0.5 * std::hypot(self.length_m, self.width_m);
 }
 
+/// The number of rays of the robot, without those of its segments.
+inline std::size_t ray_count(const elsie::Perception& now) {
+  std::size_t count = 0;
+  for (const auto& beam : now.readings<elsie::RangeReading>()) {
+    if (beam.mounting().segment == 0) ++count;
+  }
+  for (const auto& scan : now.readings<elsie::LidarReading>()) {
+    if (scan.mounting().segment == 0) count += scan->ranges_m.size();
+  }
+  return count;
+}
+
 /// Throws std::invalid_argument if the robot has neither range sensors nor lidars.
 inline void check_sees_points(const elsie::Perception& example) {
-  if (example.readings<elsie::RangeReading>().empty() &&
-      example.readings<elsie::LidarReading>().empty()) {
+  if (ray_count(example) == 0) {
     throw std::invalid_argument(
         "it needs a lidar, or range sensors such as beam_range, and the robot has none of either; "
         "add one");

@@ -52,6 +52,7 @@ class Dock final : public MotorSchema, public elsie::Remembers {
     if (away <= tolerance) {
       rest();
       elsie::Response response = inactive();
+      response.status = elsie::Status::success;
       if (!docked_) response.events.push_back({"docked"});
       docked_ = true;
       return response;

@@ -52,7 +52,8 @@ class DynamicWindow final : public PlaceGoal {
   elsie::Response approach(const elsie::Perception& now, double away_m, double off_rad) override {
     const double body = body_radius(now.self());
     obstacles_.clear();
-    for_each_seen_point(now, [&](const elsie::Vector2& point) {
+    for_each_seen_point(now, [&](const SeenPoint& seen) {
+      const elsie::Vector2& point = seen.place;
       const double away = std::hypot(point.x, point.y);
       if (away > look + body + margin) return;
       // What is within the margin already does not stop it, unless it would come nearer.

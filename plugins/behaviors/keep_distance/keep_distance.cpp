@@ -4,6 +4,9 @@
 
 #include <elsie/api/behavior.h>
 
+#include "inactive.h"
+#include "seen_points.h"
+
 namespace {
 
 class KeepDistance final : public elsie::Behavior {
@@ -12,19 +15,19 @@ class KeepDistance final : public elsie::Behavior {
   double gain = 2.0;
   double lookahead = 0.1;
 
+  void equipped(const elsie::Perception& example) override { check_sees_points(example); }
+
   elsie::Response respond(const elsie::Perception& now) override {
     double nearest = distance, bearing = 0.0;
-    for (const auto& beam : now.readings<elsie::RangeReading>()) {
-      if (!beam->hit || beam->distance_m >= nearest) continue;
-      nearest = beam->distance_m;
-      bearing = beam.azimuth_rad();
-    }
+    for_each_seen_point(now, [&](const SeenPoint& seen) {
+      const double away = std::hypot(seen.place.x, seen.place.y);
+      if (!(away < nearest)) return;
+      nearest = away;
+      bearing = std::atan2(seen.place.y, seen.place.x);
+    });
     gap_ = nearest;
+    if (!(nearest < distance)) return inactive();
     elsie::Response response;
-    if (!(nearest < distance)) {
-      response.activation = 0.0;
-      return response;
-    }
     // The velocity of a point ahead of the robot, along the line to the thing.
     const double speed = gain * (nearest - distance);
     const double across = speed * std::sin(bearing);
@@ -40,7 +43,7 @@ class KeepDistance final : public elsie::Behavior {
   double gap() const { return gap_; }
 
  private:
-  double gap_ = 0.0;  // to the nearest thing, m; at most the distance
+  double gap_ = 0.0;  // from the robot's middle to the nearest thing, m; at most the distance
 };
 
 }  // namespace
@@ -48,7 +51,6 @@ class KeepDistance final : public elsie::Behavior {
 ELSIE_BEHAVIOR(
     KeepDistance, "keep_distance",
     "Keeps a distance from the nearest thing; what happens across the line to it is free",
-    elsie::needs<elsie::RangeReading>(),
     elsie::parameter("distance", &KeepDistance::distance,
                      {.unit = "m", .above = 0, .max = 100, .meaning = "the distance it keeps"}),
     elsie::parameter("gain", &KeepDistance::gain,

@@ -31,6 +31,7 @@ class MoveTo final : public MotorSchema, public elsie::Remembers {
     if (away <= tolerance) {
       rest();
       elsie::Response response = inactive();
+      response.status = elsie::Status::success;
       if (!arrived_) response.events.push_back({"arrived"});
       arrived_ = true;
       return response;

@@ -2,14 +2,13 @@
 // goal plus a hill around each obstacle.
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 #include <elsie/api/remember.h>
 
 #include "inactive.h"
 #include "motor_schema.h"
-#include "range_points.h"
+#include "seen_points.h"
 
 namespace {
 
@@ -26,13 +25,8 @@ class PotentialField final : public MotorSchema, public elsie::Remembers {
   double tolerance = 0.05;
 
   void equipped(const elsie::Perception& example) override {
-    const std::size_t rays = ray_count(example);
-    if (rays == 0) {
-      throw std::invalid_argument(
-          "obstacles that range sensors see repel it, and the robot has neither beams nor a lidar; "
-          "add one");
-    }
-    near_.reserve(rays);
+    check_sees_points(example);
+    near_.reserve(ray_count(example));
   }
 
   void reset(elsie::Random& random) override {
@@ -52,7 +46,8 @@ class PotentialField final : public MotorSchema, public elsie::Remembers {
     std::vector<elsie::Event> events;
     const bool arrived = attraction > 0.0 && away <= tolerance;
     if (arrived && !arrived_) events.push_back({"arrived"});
-    arrived_ = arrived;
+    // A hill at the goal may push it out and the well pull it back: that is no new arrival.
+    arrived_ = arrived || (arrived_ && away <= kLeft * tolerance);
     elsie::Vector2 force;
     potential_ = 0.0;
     if (!arrived) attract(goal, away, force);
@@ -61,6 +56,7 @@ class PotentialField final : public MotorSchema, public elsie::Remembers {
     if (length > speed) force = {speed * force.x / length, speed * force.y / length};
     elsie::Response response = moved(force, now);
     if ((arrived || attraction == 0.0) && !is_near) response = inactive();
+    if (arrived) response.status = elsie::Status::success;
     response.events = std::move(events);
     return response;
   }
@@ -87,16 +83,16 @@ class PotentialField final : public MotorSchema, public elsie::Remembers {
   /// Adds the force of each obstacle at its nearest point; whether there is one.
   bool repel(const elsie::Perception& now, elsie::Vector2& force) {
     near_.clear();
-    for_each_range_point(now, [&](const RangePoint& point) {
+    for_each_seen_point(now, [&](const SeenPoint& point) {
       const elsie::Vector2 way{lead - point.place.x, -point.place.y};
       const double rho = std::hypot(way.x, way.y);
-      if (rho >= influence) return;
+      if (!(rho < influence)) return;
       // A sensor behind P may see a surface that P is in already.
       const bool is_in = way.x * point.ray.x + way.y * point.ray.y >= 0.0;
       if (is_in || rho < kLeast) {
-        near_.push_back({{-point.ray.x, -point.ray.y}, kLeast, point.azimuth_rad});
+        near_.push_back({{-point.ray.x, -point.ray.y}, kLeast, point.azimuth_rad()});
       } else {
-        near_.push_back({{way.x / rho, way.y / rho}, rho, point.azimuth_rad});
+        near_.push_back({{way.x / rho, way.y / rho}, rho, point.azimuth_rad()});
       }
     });
     for (std::size_t i = 0; i < near_.size(); ++i) {
@@ -131,6 +127,7 @@ class PotentialField final : public MotorSchema, public elsie::Remembers {
     return 1.0 / equal;
   }
 
+  static constexpr double kLeft = 3.0;     // tolerances from the goal: it has left
   static constexpr double kLeast = 0.005;  // m: nearer counts as this
   static constexpr double kEqual = 1e-9;
 

@@ -42,7 +42,8 @@ class PolarHistogram {
     std::fill(primary_.begin(), primary_.end(), 0.0);
     right_ = -std::numbers::pi;
     left_ = std::numbers::pi;
-    for_each_seen_point(now, [&](const elsie::Vector2& point) {
+    for_each_seen_point(now, [&](const SeenPoint& seen) {
+      const elsie::Vector2& point = seen.place;
       if (std::hypot(point.x, point.y) <= farthest_m) {
         add(point, heading, radius_m);
       }

@@ -174,7 +174,7 @@ ELSIE_BEHAVIOR(
                       .meaning = "a sector is free below this magnitude, 1 - (d / range)^2"}),
     elsie::parameter("high", &VfhPlus::high,
                      {.above = 0,
-                      .max = 1,
+                      .max = 0.99,
                       .meaning = "a sector is blocked above this magnitude; between the two it "
                                  "stays as it was"}),
     elsie::parameter(

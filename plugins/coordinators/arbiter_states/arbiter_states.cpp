@@ -6,8 +6,10 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <elsie/api/remember.h>
@@ -60,13 +62,11 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
   std::vector<State> states;
 
   void configured() override {
-    const std::string before = places_.empty() ? "" : places_[now_].described->name;
     places_.clear();
     if (states.empty()) throw std::invalid_argument("it has no states; expected <state> inside it");
     add(states, kNowhere);
     for (Place& place : places_) resolve(place);
-    now_ = innermost(0);
-    return_to(before);
+    restore();
   }
 
   void equipped(std::span<const elsie::Member> members, const elsie::Perception& example) override {
@@ -85,23 +85,34 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
   }
 
   void reset(elsie::Random&) override {
-    now_ = innermost(0);
-    since_s_.reset();
+    active_.clear();
+    restore();
   }
 
   void remember(elsie::Memory& memory) override {
-    std::string name = places_[now_].described->name;
-    memory("state", name);
-    memory("since", since_s_);
-    return_to(name);
-    if (memory.recalls() && since_s_) entered_s_.assign(places_.size(), *since_s_);
+    std::string names;
+    std::vector<double> since_s;
+    for (const Active& each : active_) {
+      names += each.name + "\n";
+      since_s.push_back(each.since_s);
+    }
+    memory("states", names);
+    memory("since", since_s);
+    if (!memory.recalls()) return;
+    active_.clear();
+    std::istringstream lines(names);
+    for (const double since : since_s) {
+      std::string name;
+      std::getline(lines, name);
+      active_.push_back({name, since});
+    }
+    restore();
   }
 
   elsie::Motion coordinate(std::span<elsie::Member> members,
                            const elsie::Perception& now) override {
-    if (!since_s_) {
-      since_s_ = now.time_s();
-      entered_s_.assign(places_.size(), now.time_s());
+    if (active_.empty()) {
+      enter(0, now.time_s());
     } else {
       leave(members, now);
     }
@@ -113,10 +124,11 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
   }
 
   elsie::Status status() const override {
-    const std::string& ends = places_[now_].described->ends;
-    return ends == "success"   ? elsie::Status::success
-           : ends == "failure" ? elsie::Status::failure
-                               : elsie::Status::running;
+    for (std::size_t i = now_; i != kNowhere; i = places_[i].within) {
+      const std::string& ends = places_[i].described->ends;
+      if (ends != "no") return ends == "success" ? elsie::Status::success : elsie::Status::failure;
+    }
+    return elsie::Status::running;
   }
 
   std::vector<std::string> notes() const override {
@@ -125,8 +137,7 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
     for (std::size_t i = 0; i < places_.size(); ++i) {
       const State& state = *places_[i].described;
       if (!reached[i]) {
-        notes.push_back("the state " + quoted(state.name) +
-                        " is never reached: no transition leads there");
+        notes.push_back("the state " + quoted(state.name) + " is never reached from the first one");
       } else if (state.ends == "no" && places_.size() > 1 && !has_exit(i)) {
         notes.push_back("the state " + quoted(state.name) +
                         " is never left: neither it nor a state around it has a transition "
@@ -159,6 +170,7 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
  private:
   void add(const std::vector<State>& held, std::size_t within) {
     for (const State& state : held) {
+      if (state.name.empty()) throw std::invalid_argument("a state has an empty name");
       for (const Place& other : places_) {
         if (other.described->name == state.name) {
           throw std::invalid_argument("two states are called " + quoted(state.name) +
@@ -208,10 +220,20 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
     }
   }
 
-  /// After a change, if there still is such a state.
-  void return_to(const std::string& name) {
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      if (places_[i].described->name == name && !places_[i].first_inside) now_ = i;
+  /// After a change: the state in which it was, if there still is one of that name; else it begins
+  /// anew. States around it that are new are as old as it is.
+  void restore() {
+    const auto was = std::find_if(places_.begin(), places_.end(), [&](const Place& place) {
+      return !active_.empty() && place.described->name == active_[0].name && !place.first_inside;
+    });
+    now_ = was == places_.end() ? innermost(0) : static_cast<std::size_t>(was - places_.begin());
+    const std::vector<Active> before = std::exchange(active_, {});
+    if (was == places_.end()) return;
+    for (std::size_t i = now_; i != kNowhere; i = places_[i].within) {
+      const std::string& name = places_[i].described->name;
+      const auto known = std::find_if(before.begin(), before.end(),
+                                      [&](const Active& each) { return each.name == name; });
+      active_.push_back({name, known == before.end() ? before[0].since_s : known->since_s});
     }
   }
 
@@ -224,10 +246,10 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
   /// Takes the first transition whose time has come: those of the present state before those of the
   /// states around it.
   void leave(std::span<const elsie::Member> members, const elsie::Perception& now) {
-    entered_s_.resize(places_.size(), now.time_s());  // after a change
-    for (std::size_t i = now_; i != kNowhere; i = places_[i].within) {
+    std::size_t around = 0;
+    for (std::size_t i = now_; i != kNowhere; i = places_[i].within, ++around) {
       for (Way& way : places_[i].ways) {
-        if (is_due(way, now.time_s() - entered_s_[i], members, now)) {
+        if (is_due(way, now.time_s() - active_[around].since_s, members, now)) {
           return enter(way.to, now.time_s());
         }
       }
@@ -251,16 +273,16 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
 
   /// States around both the old and the new one are not entered again.
   void enter(std::size_t place, double time_s) {
-    std::vector<bool> stays(places_.size(), false);
-    for (std::size_t i = places_[now_].within; i != kNowhere; i = places_[i].within) {
-      stays[i] = true;
-    }
-    stays[place] = false;
+    const std::vector<Active> before = std::exchange(active_, {});
+    bool is_new = true;  // what is at the place, or inside
     now_ = innermost(place);
     for (std::size_t i = now_; i != kNowhere; i = places_[i].within) {
-      if (!stays[i]) entered_s_[i] = time_s;
+      const std::string& name = places_[i].described->name;
+      const auto known = std::find_if(before.begin(), before.end(),
+                                      [&](const Active& each) { return each.name == name; });
+      active_.push_back({name, is_new || known == before.end() ? time_s : known->since_s});
+      is_new &= i != place;
     }
-    since_s_ = time_s;
   }
 
   std::vector<bool> reachable() const {
@@ -270,7 +292,9 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
       for (std::size_t i = place; i != kNowhere; i = places_[i].within) {
         if (reached[i]) continue;
         reached[i] = true;
-        for (const Way& way : places_[i].ways) visit(way.to);
+        for (const Way& way : places_[i].ways) {
+          if (way.described->chance > 0.0) visit(way.to);
+        }
       }
     };
     visit(0);
@@ -281,7 +305,7 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
     if (places_[place].first_inside) return true;  // its inner states are asked
     for (std::size_t i = place; i != kNowhere; i = places_[i].within) {
       for (const Way& way : places_[i].ways) {
-        if (innermost(way.to) != place) return true;
+        if (way.described->chance > 0.0 && innermost(way.to) != place) return true;
       }
     }
     return false;
@@ -301,9 +325,14 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
   }
 
   std::vector<Place> places_;
-  std::size_t now_ = 0;            // the present state, which has no states in it
-  std::optional<double> since_s_;  // when it was entered; none: no decision was made
-  std::vector<double> entered_s_;  // of each state that one is in
+  std::size_t now_ = 0;  // the present state, which has no states in it
+  /// It and the states around it, from inside outwards, by their names: they outlive changes.
+  /// Empty: no decision was made.
+  struct Active {
+    std::string name;
+    double since_s;  // when it was entered
+  };
+  std::vector<Active> active_;
   std::vector<std::string> unused_;
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <elsie/api/declaration_items.h>
+#include <elsie/api/remember.h>
 
 #include "tree.h"
 #include "tree_file.h"
@@ -19,7 +20,7 @@ struct Define {
   std::string when;
 };
 
-class ArbiterTree final : public elsie::Coordinator {
+class ArbiterTree final : public elsie::Coordinator, public elsie::Remembers {
  public:
   elsie::FilePath file;
   std::vector<TreeNode> nodes;
@@ -32,15 +33,23 @@ class ArbiterTree final : public elsie::Coordinator {
                                   " nodes in it; expected one, the root of the tree, or a file"
                             : "it has a file and nodes in it; expected one of them");
     }
+    const std::vector<double> before = tree_ ? tree_->progress() : std::vector<double>();
+    tree_.reset();
     from_file_.reset();
     if (!file.path.empty()) {
       std::map<std::string, std::string> conditions;
-      for (const Define& each : defines) conditions[each.name] = each.when;
+      for (const Define& each : defines) {
+        if (!conditions.emplace(each.name, each.when).second) {
+          throw std::invalid_argument("there are two <define> of the name '" + each.name + "'");
+        }
+        const Condition is_sound(each.when);
+      }
       from_file_ = read_tree_file(file.path, conditions);
     } else if (!defines.empty()) {
       throw std::invalid_argument("<define> is for the conditions of a file, and there is none");
     }
     tree_.emplace(from_file_ ? from_file_->root : nodes.front());
+    tree_->resume(before);
   }
 
   void equipped(std::span<const elsie::Member> members, const elsie::Perception& example) override {
@@ -50,6 +59,12 @@ class ArbiterTree final : public elsie::Coordinator {
   void reset(elsie::Random&) override {
     tree_->reset();
     status_ = elsie::Status::running;
+  }
+
+  void remember(elsie::Memory& memory) override {
+    std::vector<double> progress = tree_->progress();
+    memory("progress", progress);
+    if (memory.recalls()) tree_->resume(progress);
   }
 
   std::vector<std::string> notes() const override {
@@ -62,7 +77,8 @@ class ArbiterTree final : public elsie::Coordinator {
     elsie::Motion sum;
     double total = 0.0;
     running_ = 0.0;
-    for (elsie::Member& member : members) {
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      elsie::Member& member = members[i];
       elsie::TraceRow& trace = member.trace;
       if (!trace.asked) {
         trace.reason = "not ticked";
@@ -70,6 +86,10 @@ class ArbiterTree final : public elsie::Coordinator {
       }
       if (trace.status != elsie::Status::running) {
         trace.reason = trace.status == elsie::Status::success ? "success" : "failure";
+        continue;
+      }
+      if (!tree_->runs(i)) {
+        trace.reason = "halted";  // by the end of a node around it
         continue;
       }
       trace.weight = std::max(0.0, member.priority());

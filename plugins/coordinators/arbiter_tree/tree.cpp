@@ -48,12 +48,62 @@ void BehaviorTree::add(const TreeNode& described, std::size_t parent) {
 
 void BehaviorTree::equip(std::span<const elsie::Member> members, const elsie::Perception& example) {
   for (Node& node : nodes_) {
-    if (node.described->kind == "run") node.member = index_of(members, node.described->behavior);
-    if (node.when) node.when->equip(members, example);
+    try {
+      if (node.described->kind == "run") node.member = index_of(members, node.described->behavior);
+      if (node.when) node.when->equip(members, example);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(node.described->where + error.what());
+    }
   }
 }
 
-void BehaviorTree::reset() { halt(0); }
+void BehaviorTree::reset() {
+  halt(0);
+  for (Node& node : nodes_) node.is_ticked = false;
+}
+
+bool BehaviorTree::runs(std::size_t member) const {
+  return std::any_of(nodes_.begin(), nodes_.end(), [&](const Node& node) {
+    return node.is_running && node.described->kind == "run" && node.member == member;
+  });
+}
+
+std::vector<double> BehaviorTree::progress() const {
+  std::vector<double> numbers;
+  for (const Node& node : nodes_) {
+    numbers.push_back(static_cast<double>(node.children.size()));
+    numbers.push_back(node.is_running ? 1.0 : 0.0);
+    numbers.push_back(static_cast<double>(node.at));
+    numbers.push_back(node.since_s);
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+      const auto ended = i < node.of.size() ? node.of[i] : std::nullopt;
+      numbers.push_back(ended ? static_cast<double>(*ended) : -1.0);
+    }
+  }
+  return numbers;
+}
+
+bool BehaviorTree::resume(const std::vector<double>& progress) {
+  constexpr std::size_t kOwn = 4;  // numbers of a node, besides those of its children
+  std::size_t at = 0;
+  for (Node& node : nodes_) {
+    const std::size_t count = node.children.size();
+    if (at + kOwn + count > progress.size() || progress[at] != static_cast<double>(count)) {
+      reset();
+      return false;
+    }
+    node.is_running = progress[at + 1] != 0.0;
+    node.at = static_cast<std::size_t>(progress[at + 2]);
+    node.since_s = progress[at + 3];
+    node.of.assign(node.described->kind == "parallel" ? count : 0, std::nullopt);
+    for (std::size_t i = 0; i < node.of.size(); ++i) {
+      const double ended = progress[at + kOwn + i];
+      if (ended >= 0.0) node.of[i] = static_cast<Status>(static_cast<int>(ended));
+    }
+    at += kOwn + count;
+  }
+  return at == progress.size();
+}
 
 Status BehaviorTree::tick(std::span<elsie::Member> members, const elsie::Perception& now) {
   for (Node& node : nodes_) node.is_ticked = false;

@@ -11,9 +11,10 @@
 
 /// A node as a world file gives it.
 struct TreeNode {
-  std::string kind;  // "sequence", "fallback", "parallel", "inverter", "retry", "repeat",
-                     // "timeout", "condition" or "run"
-  std::string name;  // for pictures; empty: its kind
+  std::string kind;   // "sequence", "fallback", "parallel", "inverter", "retry", "repeat",
+                      // "timeout", "condition" or "run"
+  std::string where;  // "tree.xml:4: ", of a file
+  std::string name;   // for pictures; empty: its kind
   bool memory = true;
   int successes = 0;  // of a parallel; 0: all of its children
   int failures = 1;
@@ -43,6 +44,14 @@ class BehaviorTree {
   void reset();
   /// Ticks the root once. What ran before, and is not ticked now, is halted.
   elsie::Status tick(std::span<elsie::Member> members, const elsie::Perception& now);
+
+  /// Whether a node that runs this member is running after the last tick.
+  bool runs(std::size_t member) const;
+
+  /// What is running, and since when: numbers for a tree of the same shape.
+  std::vector<double> progress() const;
+  /// Goes on from there. False: that is of another shape, and nothing is running.
+  bool resume(const std::vector<double>& progress);
 
   elsie::Graph graph() const;
   /// How each node was left by the last tick; dark: it was not ticked.

@@ -13,9 +13,11 @@ namespace {
 
 using elsie::world::Element;
 
+std::string place_of(const Element& element) {
+  return element.where.file.text() + ":" + std::to_string(element.where.line) + ": ";
+}
 [[noreturn]] void fail(const Element& element, const std::string& problem) {
-  throw std::invalid_argument(element.where.file.text() + ":" + std::to_string(element.where.line) +
-                              ": " + problem);
+  throw std::invalid_argument(place_of(element) + problem);
 }
 
 /// What a node of BehaviorTree.CPP is here.
@@ -50,7 +52,11 @@ class Reader {
     std::string main = root_.value("main_tree_to_execute");
     std::size_t trees = 0;
     for (const Element& tree : root_.children) {
-      if (tree.name != "BehaviorTree") continue;
+      // Editors keep a list of known nodes in the file.
+      if (tree.name == "TreeNodesModel") continue;
+      if (tree.name != "BehaviorTree") {
+        fail(tree, "<root> may not hold <" + tree.name + "> here; expected <BehaviorTree>");
+      }
       ++trees;
       if (main.empty() && trees == 1) main = tree.value("ID");
     }
@@ -64,6 +70,10 @@ class Reader {
   }
 
  private:
+  static void refuse_text(const Element& element) {
+    if (!element.text.empty()) fail(element, "found text in <" + element.name + ">");
+  }
+
   TreeNode tree(const Element& from, const std::string& id) {
     std::vector<std::string> names;
     for (const Element& each : root_.children) {
@@ -86,7 +96,11 @@ class Reader {
   }
 
   TreeNode node(const Element& element) {
+    constexpr int kMost = 10000;  // trees that name others twice grow without end
+    if (++count_ > kMost) fail(element, "the tree has more than 10000 nodes");
+    refuse_text(element);
     if (element.name == "SubTree" || element.name == "SubTreePlus") {
+      note_others(element, {"ID", "name"});
       return tree(element, element.value("ID"));
     }
     const auto known = kKnown.find(element.name);
@@ -98,23 +112,33 @@ class Reader {
     made.kind = known.kind;
     made.memory = known.memory;
     made.name = element.value("name");
-    const double children = static_cast<double>(element.children.size());
+    made.where = place_of(element);
+    const int children = static_cast<int>(element.children.size());
+    std::vector<std::string> own{"name"};
     if (made.kind == "parallel") {
-      const double success = number(element, {"success_count", "success_threshold"}, -1);
-      const double failure = number(element, {"failure_count", "failure_threshold"}, 1);
+      own.insert(own.end(),
+                 {"success_count", "success_threshold", "failure_count", "failure_threshold"});
       // Below 0: counted from the number of its children, -1 is all of them.
-      const auto counted = [&](double count) {
-        return static_cast<int>(count < 0 ? children + 1 + count : count);
-      };
-      made.successes = counted(success);
-      made.failures = counted(failure);
-    } else if (made.kind == "retry") {
-      made.times = static_cast<int>(number(element, {"num_attempts"}));
-    } else if (made.kind == "repeat") {
-      made.times = static_cast<int>(number(element, {"num_cycles"}));
+      const auto counted = [&](int count) { return count < 0 ? children + 1 + count : count; };
+      made.successes = counted(whole(element, {"success_count", "success_threshold"}, -1));
+      made.failures = counted(whole(element, {"failure_count", "failure_threshold"}, 1));
+      if (made.successes < 1 || made.failures < 1) {
+        fail(element, "<" + element.name + "> must wait for at least one success and one failure");
+      }
+    } else if (made.kind == "retry" || made.kind == "repeat") {
+      const char* const name = made.kind == "retry" ? "num_attempts" : "num_cycles";
+      own.emplace_back(name);
+      made.times = whole(element, {name});
+      if (made.times < -1 || made.times == 0 || made.times > 1000000) {
+        fail(element, std::string(name) + " of <" + element.name +
+                          ">: expected a number from 1 to 1000000, or -1 for ever");
+      }
     } else if (made.kind == "timeout") {
-      made.seconds = 1e-3 * number(element, {"msec"});
+      own.emplace_back("msec");
+      made.seconds = 1e-3 * whole(element, {"msec"});
+      if (!(made.seconds > 0.0)) fail(element, "msec of <Timeout>: expected a number above 0");
     }
+    note_others(element, own);
     if (made.times < 0) made.times = 0;  // for ever
     for (const Element& child : element.children) made.children.push_back(node(child));
     return made;
@@ -131,6 +155,7 @@ class Reader {
     }
     TreeNode made;
     made.name = element.value("name");
+    made.where = place_of(element);
     const auto condition = conditions_.find(id);
     if (condition != conditions_.end()) {
       made.kind = "condition";
@@ -142,27 +167,36 @@ class Reader {
       made.kind = "run";
       made.behavior = id;
     }
-    for (const auto& attribute : element.attributes) {
-      if (attribute.name == "ID" || attribute.name == "name") continue;
-      file_.notes.push_back("line " + std::to_string(element.where.line) +
-                            " of its file: the port " + attribute.name + "=\"" + attribute.value +
-                            "\" of '" + id + "' is left out; parameters stand in the world file");
-    }
+    note_others(element, {"ID", "name"});
     return made;
   }
 
-  /// The first of these attributes that is there.
-  static double number(const Element& element, std::initializer_list<const char*> names,
-                       std::optional<double> none = {}) {
+  /// Notes attributes that are left out. Conditions of nodes would change what the tree does.
+  void note_others(const Element& element, const std::vector<std::string>& own) {
+    for (const auto& attribute : element.attributes) {
+      if (std::find(own.begin(), own.end(), attribute.name) != own.end()) continue;
+      if (attribute.name.starts_with("_") && attribute.name != "_autoremap") {
+        fail(element, "the condition " + attribute.name + " of <" + element.name +
+                          "> is not understood; write it as a node of its own");
+      }
+      file_.notes.push_back(place_of(element) + "the port " + attribute.name + "=\"" +
+                            attribute.value + "\" of <" + element.name +
+                            "> is left out; parameters stand in the world file");
+    }
+  }
+
+  /// The first of these attributes that is there, a whole number.
+  static int whole(const Element& element, std::initializer_list<const char*> names,
+                   std::optional<int> none = {}) {
     for (const char* const name : names) {
       const auto* const found = element.find(name);
       if (!found) continue;
       const std::string& text = found->value;
-      double value = 0.0;
+      int value = 0;
       const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-      if (error != std::errc() || end != text.data() + text.size() || !(std::abs(value) < 1e9)) {
-        fail(element,
-             std::string(name) + "=\"" + text + "\" of <" + element.name + ">: expected a number");
+      if (error != std::errc() || end != text.data() + text.size()) {
+        fail(element, std::string(name) + "=\"" + text + "\" of <" + element.name +
+                          ">: expected a whole number");
       }
       return value;
     }
@@ -173,6 +207,7 @@ class Reader {
   const Element& root_;
   const std::map<std::string, std::string>& conditions_;
   std::vector<std::string> inside_;  // the trees around what is being read
+  int count_ = 0;                    // of nodes
   TreeFile file_;
 };
 

@@ -260,6 +260,29 @@ TEST_CASE("A newer library goes on in the same state, as old as it was") {
   CHECK(next.at(2.9) == "b");
 }
 
+TEST_CASE("A newer library keeps the times of the states around, too") {
+  const std::vector<ElementValue> states{
+      element("state", {{"name", std::string("work")}},
+              {state("one", "a", {on("go", "two")}), state("two", "b"), after(3.0, "rest")}),
+      state("rest", "c")};
+  Robot before(states), next(states);
+  before.at(0);
+  CHECK(before.at(2, {"go"}) == "b");
+  next.at(0);
+  REQUIRE(next.robot->take_over(*before.robot));
+  CHECK(next.at(2.9) == "b");
+  CHECK(next.at(3.0) == "c");
+}
+
+TEST_CASE("Who enters an outer state again enters all that is in it") {
+  Robot robot({element("state", {{"name", std::string("outer")}},
+                       {element("state", {{"name", std::string("inner")}},
+                                {state("one", "a"), after(1.5, "end")}),
+                        after(1.0, "outer")}),
+               state("end", "b")});
+  for (double time = 0.0; time < 10.0; time += 0.1) CHECK(robot.at(time) == "a");
+}
+
 TEST_CASE("Automata that mean nothing are refused in words") {
   CHECK_THAT(refusal({}), Contains("it has no states; expected <state> inside it"));
   CHECK_THAT(refusal({state("one", "a"), state("one", "b")}),

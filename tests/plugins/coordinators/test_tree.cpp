@@ -265,7 +265,7 @@ TEST_CASE("A tree of BehaviorTree.CPP is read from its file") {
   CHECK(robot.tick(3.5) == "a+ b");
   REQUIRE((*robot.robot)->notes().size() == 1);
   CHECK_THAT((*robot.robot)->notes()[0],
-             Contains("line 5") && Contains("goal=\"1;2\" of 'a' is left out"));
+             Contains("tree.xml:5: ") && Contains("goal=\"1;2\" of <a> is left out"));
 
   const auto why_not = [&](const std::string& text) {
     write(text);
@@ -287,7 +287,28 @@ TEST_CASE("A tree of BehaviorTree.CPP is read from its file") {
   CHECK_THAT(why_not("<root><BehaviorTree ID='A'><Timeout><a/></Timeout></BehaviorTree></root>"),
              Contains("<Timeout> lacks msec"));
   CHECK_THAT(why_not("<root><BehaviorTree ID='A'><fly/></BehaviorTree></root>"),
-             Contains("there is no behavior 'fly'"));
+             Contains("tree.xml:1: there is no behavior 'fly'"));
+  const auto node_refused = [&](const std::string& inner) {
+    return why_not("<root><BehaviorTree ID='A'>" + inner + "</BehaviorTree></root>");
+  };
+  CHECK_THAT(node_refused("<Sequence _skipIf='x'><a/></Sequence>"),
+             Contains("the condition _skipIf of <Sequence> is not understood"));
+  CHECK_THAT(node_refused("<Timeout msec='-100'><a/></Timeout>"), Contains("above 0"));
+  CHECK_THAT(node_refused("<Repeat num_cycles='2.5'><a/></Repeat>"),
+             Contains("expected a whole number"));
+  CHECK_THAT(node_refused("<Parallel failure_count='0'><a/></Parallel>"),
+             Contains("at least one success and one failure"));
+  CHECK_THAT(node_refused("<Sequence>text<a/></Sequence>"), Contains("found text in <Sequence>"));
+  CHECK_THAT(why_not("<root><include path='x'/></root>"),
+             Contains("<root> may not hold <include> here"));
+  std::string doubling = "<root main_tree_to_execute='t0'>";
+  for (int i = 0; i < 26; ++i) {
+    const std::string next = "<SubTree ID='t" + std::to_string(i + 1) + "'/>";
+    doubling += "<BehaviorTree ID='t" + std::to_string(i) + "'><Sequence>" + next + next +
+                "</Sequence></BehaviorTree>";
+  }
+  CHECK_THAT(why_not(doubling + "<BehaviorTree ID='t26'><a/></BehaviorTree></root>"),
+             Contains("more than 10000 nodes"));
 }
 
 TEST_CASE("Trees that mean nothing are refused in words") {
@@ -301,6 +322,32 @@ TEST_CASE("Trees that mean nothing are refused in words") {
   CHECK_THAT(refusal({node("parallel", {run("a")}, {{"successes", std::int64_t{2}}})}),
              Contains("waits for more nodes than the 1 in it"));
   CHECK_THAT(refusal({condition("batery > 1")}), Contains("did you mean 'battery'?"));
+}
+
+TEST_CASE("What a parallel halts in the tick in which it ends has no part in the command") {
+  Robot robot({node("fallback", {node("parallel", {run("a"), run("c")}), run("b")})});
+  CHECK(robot.tick() == "a c");
+  robot.end(2, kFailure);
+  CHECK(robot.tick() == "a b c-");
+  CHECK(robot.team.reason(0) == "halted");
+  CHECK(robot.team.trace(0).share == 0.0);
+  CHECK(robot.command.forward == Approx(0.2));
+}
+
+TEST_CASE("A newer library goes on where the tree was") {
+  const std::vector<ElementValue> tree{
+      node("sequence", {run("a"), node("timeout", {run("b")}, {{"seconds", 2.0}})})};
+  Robot before(tree), next(tree), other({node("sequence", {run("c")})});
+  before.end(0, kSuccess);
+  CHECK(before.tick(1.0) == "a+ b");
+  next.tick(0.0);
+  REQUIRE(next.robot->take_over(*before.robot));
+  CHECK(next.tick(2.9) == "b");
+  CHECK(next.tick(3.0) == "");
+  CHECK(next.status() == kFailure);
+  other.tick(0.0);
+  REQUIRE(other.robot->take_over(*before.robot));  // a tree of another shape begins anew
+  CHECK(other.tick(1.0) == "c");
 }
 
 }  // namespace of_trees

@@ -213,7 +213,10 @@ void Controller::forget_acts() {
 
 Response Controller::respond(const Perception& now) {
   Response response = decide(now);
-  if (coordinator_) response.status = coordinator_->object().status();
+  if (coordinator_) {
+    response.status =
+        setting_.guard.step(*coordinator_, [&] { return coordinator_->object().status(); });
+  }
   for (const ChosenAct& chosen : acts_) {
     response.acts.push_back(chosen.act);
   }
@@ -395,6 +398,18 @@ void Controller::list_graphs(const std::string& path, std::vector<LitGraph>& lis
       shown.lights.resize(shown.graph.nodes.size());
       object.light(shown.lights);
     });
+    const std::size_t count = shown.graph.nodes.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (shown.graph.nodes[i].within >= static_cast<int>(i)) {
+        setting_.guard.fail(*coordinator_->use,
+                            "a node of its graph comes before the one around it");
+      }
+    }
+    for (const Graph::Edge& edge : shown.graph.edges) {
+      if (edge.from >= count || edge.to >= count) {
+        setting_.guard.fail(*coordinator_->use, "an edge of its graph leads to no node");
+      }
+    }
     if (!shown.graph.empty()) list.push_back(std::move(shown));
   }
   for (const auto& slot : slots_) {

@@ -183,12 +183,13 @@ class Robot final : private RobotRequests {
   void visit_published(const VisitPublished& visit) const;
   /// The sketches of its plugins that are not empty. Throws PluginFault.
   std::vector<PluginSketch> sketches() const;
-  /// The inferences of its plugins in the last decision. Throws PluginFault.
+  /// The graphs of its coordinators that show one. Throws PluginFault.
   std::vector<LitGraph> graphs() const {
     std::vector<LitGraph> list;
     controller_->list_graphs("", list);
     return list;
   }
+  /// The inferences of its plugins in the last decision. Throws PluginFault.
   std::vector<MadeInference> inferences() const {
     std::vector<MadeInference> list;
     controller_->list_inferences("", list);

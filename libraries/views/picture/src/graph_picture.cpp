@@ -29,6 +29,13 @@ const char* fill_of(NodeState state) {
   return "#fafafa";
 }
 
+/// Words as they are: Graphviz takes a backslash for an escape.
+std::string literal(const std::string& words) {
+  std::string text;
+  for (const char c : words) text += c == '\\' ? std::string("\\\\") : std::string(1, c);
+  return text;
+}
+
 // Graphviz takes texts that it does not change as char*.
 char* text(const std::string& words) { return const_cast<char*>(words.c_str()); }
 void set(void* object, const char* name, const std::string& value) {
@@ -57,13 +64,13 @@ class Drawing {
         node.within < 0 ? page : frames_[static_cast<std::size_t>(node.within)];
     if (holds_[i]) {
       frames_[i] = agsubg(around, text("cluster" + prefix_ + std::to_string(i)), 1);
-      set(frames_[i], "label", node.label);
+      set(frames_[i], "label", literal(node.label));
       set(frames_[i], "style", "rounded,filled");
       set(frames_[i], "fillcolor", lit_.lights[i] == NodeState::dark ? "#f2f2f2" : "#fff4d1");
       return;
     }
     nodes_[i] = agnode(around, text(prefix_ + std::to_string(i)), 1);
-    set(nodes_[i], "label", node.label);
+    set(nodes_[i], "label", literal(node.label));
     set(nodes_[i], "fillcolor", fill_of(lit_.lights[i]));
     set(nodes_[i], "penwidth", lit_.lights[i] == NodeState::running ? "2.5" : "1");
   }
@@ -81,7 +88,7 @@ class Drawing {
   void add_edge(const Graph::Edge& edge, Agraph_t* page) {
     Agedge_t* const made = agedge(page, nodes_[representative(edge.from)],
                                   nodes_[representative(edge.to)], nullptr, 1);
-    set(made, "label", edge.label.empty() ? "" : " " + edge.label + " ");
+    set(made, "label", edge.label.empty() ? "" : " " + literal(edge.label) + " ");
     if (holds_[edge.from]) set(made, "ltail", "cluster" + prefix_ + std::to_string(edge.from));
     if (holds_[edge.to]) set(made, "lhead", "cluster" + prefix_ + std::to_string(edge.to));
   }
@@ -97,7 +104,7 @@ void set_defaults(Agraph_t* page, const std::string& title) {
   const auto by_default = [page](int kind, const char* name, const std::string& value) {
     agattr(page, kind, const_cast<char*>(name), text(value));
   };
-  by_default(AGRAPH, "label", title);
+  by_default(AGRAPH, "label", literal(title));
   by_default(AGRAPH, "labelloc", "t");
   by_default(AGRAPH, "compound", "true");
   by_default(AGRAPH, "fontname", kGraphFont);
@@ -125,7 +132,7 @@ std::string draw_graphs(const std::vector<LitGraph>& graphs, const std::string& 
     Agraph_t* around = page.get();
     if (graphs.size() > 1) {
       around = agsubg(around, text("cluster" + std::to_string(i)), 1);
-      set(around, "label", graphs[i].path);
+      set(around, "label", literal(graphs[i].path));
     }
     Drawing(graphs[i], around, i);
   }
