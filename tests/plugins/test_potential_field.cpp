@@ -136,7 +136,7 @@ TEST_CASE("It arrives once, rests there, and is not active where nothing is near
 TEST_CASE("A robot that sees no ranges is refused by the potential field") {
   testing::Behavior blind("potential_field");
   CHECK_THROWS_WITH(blind.respond(testing::Situation()),
-                    Catch::Contains("neither beams nor a lidar"));
+                    Catch::Contains("it needs a lidar, or range sensors"));
   CHECK_THROWS_WITH(testing::Behavior("potential_field", {{"influence", 0.0}}),
                     Catch::Contains("influence"));
 }

@@ -340,6 +340,7 @@ TEST_CASE("Random edits of running worlds are what edits of their files are, or 
       } else {
         ++made[drawn.kind];
         ++all_made;
+        REQUIRE_FALSE(simulation.world().robots.empty());
         REQUIRE_NOTHROW(twin.edit(edits));
         REQUIRE_NOTHROW(document.apply(drawn.edits));
         CAPTURE(document.text());
