@@ -34,13 +34,21 @@ std::string needs_of(const std::string& coordinator) {
                                                    : "";
 }
 
+/// The coordinator's element, with what it cannot do without.
+std::string markup_of(const std::string& coordinator) {
+  const std::string inside = coordinator == "arbiter_states" ? "<state name='s' behavior='avoid'/>"
+                             : coordinator == "arbiter_tree" ? "<run behavior='avoid'/>"
+                                                             : "";
+  return "<" + coordinator + needs_of(coordinator) + ">" + inside + "</" + coordinator + ">";
+}
+
 const std::string kBoth = "<wander id=\"avoid\"/><wander id=\"go\"/>";
 
 std::string robot_of(const std::string& coordinator, const std::string& behaviors) {
   return "<robots><robot id=\"r1\"><sensors><beam_range yaw_deg=\"30\"/><beam_range "
          "yaw_deg=\"-30\"/></sensors><behaviors>" +
-         behaviors + "</behaviors><coordinator><" + coordinator + needs_of(coordinator) +
-         "/></coordinator></robot></robots>";
+         behaviors + "</behaviors><coordinator>" + markup_of(coordinator) +
+         "</coordinator></robot></robots>";
 }
 
 std::vector<std::string> members_of(const Simulation& simulation) {
@@ -71,8 +79,8 @@ TEST_CASE("Every coordinator takes other behaviours while it runs, or refuses th
                 ? simulation_of(
                       "<robots><robot id=\"r1\"><sensors><beam_range yaw_deg=\"30\"/><beam_range "
                       "yaw_deg=\"-30\"/></sensors><behaviors><blend id=\"nest\"><behaviors>" +
-                      kBoth + "</behaviors><coordinator><" + coordinator + needs_of(coordinator) +
-                      "/></coordinator></blend></behaviors><coordinator><fusion_fuzzy/>"
+                      kBoth + "</behaviors><coordinator>" + markup_of(coordinator) +
+                      "</coordinator></blend></behaviors><coordinator><fusion_fuzzy/>"
                       "</coordinator></robot></robots>")
                 : simulation_of(robot_of(coordinator, kBoth));
         advance(simulation, 5);
