@@ -49,6 +49,11 @@ class Situation {
  public:
   /// What is wrong with one of them, as a sentence; "": nothing.
   static std::string problem_of(const Proposition& proposition, const elsie::Perception& example) {
+    if (const auto* recalled = std::get_if<Recalls>(&proposition);
+        recalled && recalled->event == recalled->until) {
+      return "<recalls name=\"" + recalled->name + "\"> has the same event and 'until'; it would " +
+             "never be false again";
+    }
     const auto* perceived = std::get_if<Perceives>(&proposition);
     if (!perceived) return "";
     const std::string text = "<perceives name=\"" + perceived->name + "\">";

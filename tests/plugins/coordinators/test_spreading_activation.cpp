@@ -272,6 +272,9 @@ TEST_CASE("Spreading activation refuses what it cannot use, and says what there 
   CHECK_THAT(refusal({perceives("low", "batery", 0, 1)}), Contains("did you mean 'battery'?"));
   CHECK_THAT(refusal({perceives("near", "front_range", 0, 1)}), Contains("and there is none"));
   CHECK_THAT(refusal({perceives("low", "battery", -1e9)}), Contains("is always true"));
+  ElementValue same = recalls("held", "taken");
+  same.parameters["until"] = std::string("taken");
+  CHECK_THAT(refusal({same}), Contains("has the same event and 'until'"));
   CHECK_THAT(refusal({perceives("low", "battery", 0.5, 0.4)}), Contains("is never true"));
   std::vector<ElementValue> many;
   std::vector<string> names;
