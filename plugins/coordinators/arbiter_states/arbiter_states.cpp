@@ -4,84 +4,31 @@
 // transitions by chance are those of AutoMoDe (Francesca and others, 2014).
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <optional>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <elsie/api/remember.h>
-#include <elsie/base/near_name.h>
-#include <elsie/base/number_text.h>
 
-#include "condition.h"
+#include "automaton.h"
 #include "winner.h"
 
 namespace {
 
-struct Transition {
-  std::string to;
-  std::string event;
-  std::string when;
-  double after = 0.0;
-  double chance = 1.0;
-};
-
-struct State {
-  std::string name;
-  std::string behavior;
-  std::string ends = "no";
-  std::vector<Transition> transitions;
-  std::vector<State> states;
-};
-
-/// A transition whose names have been looked up.
-struct Way {
-  const Transition* described;
-  std::size_t to = 0;
-  std::optional<Condition> when;
-};
-
-/// A state whose names have been looked up. Inner states come after the one that holds them.
-struct Place {
-  const State* described;
-  std::size_t within;  // the index of the state around it
-  std::optional<std::size_t> first_inside;
-  std::vector<Way> ways;
-  std::optional<std::size_t> member;
-};
-
-constexpr auto kNowhere = static_cast<std::size_t>(-1);  // around the outermost states
-
-std::string quoted(const std::string& name) { return "'" + name + "'"; }
+constexpr auto kNowhere = Automaton::kNowhere;
 
 class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
  public:
   std::vector<State> states;
 
   void configured() override {
-    places_.clear();
-    if (states.empty()) throw std::invalid_argument("it has no states; expected <state> inside it");
-    add(states, kNowhere);
-    for (Place& place : places_) resolve(place);
+    automaton_ = Automaton(states);
     restore();
   }
 
   void equipped(std::span<const elsie::Member> members, const elsie::Perception& example) override {
-    unused_.clear();
-    for (const elsie::Member& member : members) unused_.emplace_back(member.name());
-    for (Place& place : places_) {
-      const std::string& behavior = place.described->behavior;
-      if (!behavior.empty()) {
-        place.member = index_of(members, behavior);
-        std::erase(unused_, behavior);
-      }
-      for (Way& way : place.ways) {
-        if (way.when) way.when->equip(members, example);
-      }
-    }
+    automaton_.equip(members, example);
   }
 
   void reset(elsie::Random&) override {
@@ -116,7 +63,7 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
     } else {
       leave(members, now);
     }
-    const Place& place = places_[now_];
+    const Place& place = places()[now_];
     if (!place.member) return nobody(members, "no behavior in this state");
     const elsie::Motion command = let_decide(members, *place.member, "", "other state");
     members[*place.member].trace.reason = "state " + place.described->name;
@@ -124,42 +71,17 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
   }
 
   elsie::Status status() const override {
-    for (std::size_t i = now_; i != kNowhere; i = places_[i].within) {
-      const std::string& ends = places_[i].described->ends;
+    for (std::size_t i = now_; i != kNowhere; i = places()[i].within) {
+      const std::string& ends = places()[i].described->ends;
       if (ends != "no") return ends == "success" ? elsie::Status::success : elsie::Status::failure;
     }
     return elsie::Status::running;
   }
 
-  std::vector<std::string> notes() const override {
-    std::vector<std::string> notes;
-    const std::vector<bool> reached = reachable();
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      const State& state = *places_[i].described;
-      if (!reached[i]) {
-        notes.push_back("the state " + quoted(state.name) + " is never reached from the first one");
-      } else if (state.ends == "no" && places_.size() > 1 && !has_exit(i)) {
-        notes.push_back("the state " + quoted(state.name) +
-                        " is never left: neither it nor a state around it has a transition "
-                        "elsewhere; write ends=\"success\" or \"failure\" if this is meant");
-      }
-    }
-    for (const std::string& name : unused_) {
-      notes.push_back("the behavior " + quoted(name) + " is in no state, and never runs");
-    }
-    return notes;
-  }
-
-  elsie::Graph graph() const override {
-    elsie::Graph graph;
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      graph.nodes.push_back({places_[i].described->name, static_cast<int>(places_[i].within)});
-      for (const Way& way : places_[i].ways) graph.edges.push_back({i, way.to, words(way)});
-    }
-    return graph;
-  }
+  std::vector<std::string> notes() const override { return automaton_.notes(); }
+  elsie::Graph graph() const override { return automaton_.graph(); }
   void light(std::span<elsie::NodeState> nodes) const override {
-    for (std::size_t i = now_; i != kNowhere; i = places_[i].within) {
+    for (std::size_t i = now_; i != kNowhere; i = places()[i].within) {
       nodes[i] = elsie::NodeState::running;
     }
   }
@@ -168,87 +90,32 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
   double number() const { return static_cast<double>(now_ + 1); }
 
  private:
-  void add(const std::vector<State>& held, std::size_t within) {
-    for (const State& state : held) {
-      if (state.name.empty()) throw std::invalid_argument("a state has an empty name");
-      for (const Place& other : places_) {
-        if (other.described->name == state.name) {
-          throw std::invalid_argument("two states are called " + quoted(state.name) +
-                                      "; expected names that differ, also of states in states");
-        }
-      }
-      if (!state.behavior.empty() && !state.states.empty()) {
-        throw std::invalid_argument("the state " + quoted(state.name) +
-                                    " has a behavior and states in it; expected one of them");
-      }
-      const std::size_t own = places_.size();
-      places_.push_back({&state, within, {}, {}, {}});
-      if (!state.states.empty()) places_[own].first_inside = own + 1;
-      add(state.states, own);
-    }
-  }
-
-  void resolve(Place& place) {
-    const std::string of = " of the state " + quoted(place.described->name);
-    for (const Transition& transition : place.described->transitions) {
-      Way way{&transition, 0, {}};
-      const auto to = std::find_if(places_.begin(), places_.end(), [&](const Place& other) {
-        return other.described->name == transition.to;
-      });
-      if (to == places_.end()) {
-        std::vector<std::string> names;
-        for (const Place& other : places_) names.push_back(other.described->name);
-        throw std::invalid_argument("a transition" + of + " leads to " + quoted(transition.to) +
-                                    ", which is no state" +
-                                    elsie::base::near_or_all(transition.to, names, "there are"));
-      }
-      if (transition.event.empty() && transition.when.empty() && transition.after == 0.0 &&
-          transition.chance == 1.0) {
-        throw std::invalid_argument("the transition" + of + " to " + quoted(transition.to) +
-                                    " says not when; expected event, when, after or chance");
-      }
-      way.to = static_cast<std::size_t>(to - places_.begin());
-      if (!transition.when.empty()) {
-        try {
-          way.when.emplace(transition.when);
-        } catch (const std::invalid_argument& error) {
-          throw std::invalid_argument("when=\"" + transition.when + "\"" + of + ": " +
-                                      error.what());
-        }
-      }
-      place.ways.push_back(std::move(way));
-    }
-  }
+  const std::vector<Place>& places() const { return automaton_.places(); }
 
   /// After a change: the state in which it was, if there still is one of that name; else it begins
   /// anew. States around it that are new are as old as it is.
   void restore() {
-    const auto was = std::find_if(places_.begin(), places_.end(), [&](const Place& place) {
+    const auto was = std::find_if(places().begin(), places().end(), [&](const Place& place) {
       return !active_.empty() && place.described->name == active_[0].name && !place.first_inside;
     });
-    now_ = was == places_.end() ? innermost(0) : static_cast<std::size_t>(was - places_.begin());
+    now_ = was == places().end() ? automaton_.innermost(0)
+                                 : static_cast<std::size_t>(was - places().begin());
     const std::vector<Active> before = std::exchange(active_, {});
-    if (was == places_.end()) return;
-    for (std::size_t i = now_; i != kNowhere; i = places_[i].within) {
-      const std::string& name = places_[i].described->name;
+    if (was == places().end()) return;
+    for (std::size_t i = now_; i != kNowhere; i = places()[i].within) {
+      const std::string& name = places()[i].described->name;
       const auto known = std::find_if(before.begin(), before.end(),
                                       [&](const Active& each) { return each.name == name; });
       active_.push_back({name, known == before.end() ? before[0].since_s : known->since_s});
     }
   }
 
-  /// The state in which one is who enters this one.
-  std::size_t innermost(std::size_t place) const {
-    while (places_[place].first_inside) place = *places_[place].first_inside;
-    return place;
-  }
-
   /// Takes the first transition whose time has come: those of the present state before those of the
   /// states around it.
   void leave(std::span<const elsie::Member> members, const elsie::Perception& now) {
     std::size_t around = 0;
-    for (std::size_t i = now_; i != kNowhere; i = places_[i].within, ++around) {
-      for (Way& way : places_[i].ways) {
+    for (std::size_t i = now_; i != kNowhere; i = places()[i].within, ++around) {
+      for (Way& way : automaton_.places()[i].ways) {
         if (is_due(way, now.time_s() - active_[around].since_s, members, now)) {
           return enter(way.to, now.time_s());
         }
@@ -275,9 +142,9 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
   void enter(std::size_t place, double time_s) {
     const std::vector<Active> before = std::exchange(active_, {});
     bool is_new = true;  // what is at the place, or inside
-    now_ = innermost(place);
-    for (std::size_t i = now_; i != kNowhere; i = places_[i].within) {
-      const std::string& name = places_[i].described->name;
+    now_ = automaton_.innermost(place);
+    for (std::size_t i = now_; i != kNowhere; i = places()[i].within) {
+      const std::string& name = places()[i].described->name;
       const auto known = std::find_if(before.begin(), before.end(),
                                       [&](const Active& each) { return each.name == name; });
       active_.push_back({name, is_new || known == before.end() ? time_s : known->since_s});
@@ -285,46 +152,7 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
     }
   }
 
-  std::vector<bool> reachable() const {
-    std::vector<bool> reached(places_.size(), false);
-    const std::function<void(std::size_t)> visit = [&](std::size_t place) {
-      place = innermost(place);
-      for (std::size_t i = place; i != kNowhere; i = places_[i].within) {
-        if (reached[i]) continue;
-        reached[i] = true;
-        for (const Way& way : places_[i].ways) {
-          if (way.described->chance > 0.0) visit(way.to);
-        }
-      }
-    };
-    visit(0);
-    return reached;
-  }
-
-  bool has_exit(std::size_t place) const {
-    if (places_[place].first_inside) return true;  // its inner states are asked
-    for (std::size_t i = place; i != kNowhere; i = places_[i].within) {
-      for (const Way& way : places_[i].ways) {
-        if (way.described->chance > 0.0 && innermost(way.to) != place) return true;
-      }
-    }
-    return false;
-  }
-
-  static std::string words(const Way& way) {
-    const Transition& transition = *way.described;
-    std::string text = transition.event;
-    const auto add = [&](bool is_given, const std::string& words) {
-      if (is_given) text += (text.empty() ? "" : " ") + words;
-    };
-    const auto number = [](double value) { return elsie::base::number_text(value); };
-    add(!transition.when.empty(), "[" + transition.when + "]");
-    add(transition.after > 0.0, "after " + number(transition.after) + " s");
-    add(transition.chance < 1.0, "chance " + number(transition.chance));
-    return text;
-  }
-
-  std::vector<Place> places_;
+  Automaton automaton_;
   std::size_t now_ = 0;  // the present state, which has no states in it
   /// It and the states around it, from inside outwards, by their names: they outlive changes.
   /// Empty: no decision was made.
@@ -333,7 +161,6 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
     double since_s;  // when it was entered
   };
   std::vector<Active> active_;
-  std::vector<std::string> unused_;
 };
 
 }  // namespace
