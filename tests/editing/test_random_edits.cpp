@@ -61,6 +61,9 @@ world::World reduced(world::World world) {
   for (world::PluginUse& measure : world.measures) {
     reduce(measure, PluginKind::measure);
   }
+  for (world::PluginUse& rule : world.rules) {
+    reduce(rule, PluginKind::rule);
+  }
   for (world::Obstacle& box : world.obstacles) {
     box.id.clear();
   }
@@ -80,6 +83,9 @@ world::World reduced(world::World world) {
     reduce(robot);
     for (world::MountedUse& sensor : robot.sensors) {
       reduce(sensor, PluginKind::sensor);
+    }
+    for (world::MountedUse& actuator : robot.actuators) {
+      reduce(actuator, PluginKind::actuator);
     }
     if (robot.drive) {
       reduce(*robot.drive, PluginKind::drive);
