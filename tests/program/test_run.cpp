@@ -70,9 +70,8 @@ TEST_CASE("run records and draws") {
 TEST_CASE("--graph draws what coordinators are made of, as it is at the end") {
   Workplace here;
   CHECK(here.elsie("run worlds/guard.xml --duration 1 --quiet --graph guard.svg").exit_code == 1);
-  CHECK_THAT(here.read("guard.svg"),
-             Catch::Contains("north_east") && Catch::Contains("#ffd966") &&
-                 Catch::Contains("r1: time_limit after 1.0 s"));
+  CHECK_THAT(here.read("guard.svg"), Catch::Contains("north_east") && Catch::Contains("#ffd966") &&
+                                         Catch::Contains("r1: time_limit after 1.0 s"));
   const auto refusal = [&](const std::string& arguments) {
     const auto run = here.elsie("run " + arguments);
     CHECK(run.exit_code == 2);
