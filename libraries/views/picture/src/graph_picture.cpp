@@ -124,7 +124,9 @@ void set_defaults(Agraph_t* page, const std::string& title) {
 
 std::string draw_graphs(const std::vector<LitGraph>& graphs, const std::string& title,
                         const std::string& format) {
-  const std::unique_ptr<GVC_t, int (*)(GVC_t*)> context(gvContext(), gvFreeContext);
+  // One for the life of the process: Graphviz' plugin for texts keeps names of fonts that belong to
+  // the first one, and reads them again after that is freed (seen in 2.43).
+  static GVC_t* const context = gvContext();
   const std::unique_ptr<Agraph_t, int (*)(Agraph_t*)> page(
       agopen(text("coordinators"), Agdirected, nullptr), agclose);
   set_defaults(page.get(), title);
@@ -139,12 +141,12 @@ std::string draw_graphs(const std::vector<LitGraph>& graphs, const std::string& 
   char* data = nullptr;
   unsigned int length = 0;
   std::string content;
-  const bool is_laid_out = gvLayout(context.get(), page.get(), "dot") == 0;
-  if (is_laid_out && gvRenderData(context.get(), page.get(), format.c_str(), &data, &length) == 0) {
+  const bool is_laid_out = gvLayout(context, page.get(), "dot") == 0;
+  if (is_laid_out && gvRenderData(context, page.get(), format.c_str(), &data, &length) == 0) {
     content.assign(data, length);
     gvFreeRenderData(data);
   }
-  if (is_laid_out) gvFreeLayout(context.get(), page.get());
+  if (is_laid_out) gvFreeLayout(context, page.get());
   if (content.empty()) throw base::Error("Graphviz cannot draw this graph as " + format);
   return content;
 }
