@@ -65,9 +65,7 @@ class ArbiterStates final : public WinnerTakesAll, public elsie::Remembers {
     }
     const Place& place = places()[now_];
     if (!place.member) return nobody(members, "no behavior in this state");
-    const elsie::Motion command = let_decide(members, *place.member, "", "other state");
-    members[*place.member].trace.reason = "state " + place.described->name;
-    return command;
+    return let_decide(members, *place.member, place.reason.c_str(), "other state");
   }
 
   elsie::Status status() const override {

@@ -7,6 +7,8 @@
 #include <elsie/base/near_name.h>
 #include <elsie/base/number_text.h>
 
+#include "member_names.h"
+
 namespace {
 
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
@@ -47,7 +49,7 @@ void Automaton::add(const std::vector<State>& held, std::size_t within) {
                                   " has a behavior and states in it; expected one of them");
     }
     const std::size_t own = places_.size();
-    places_.push_back({&state, within, {}, {}, {}});
+    places_.push_back({&state, "state " + state.name, within, {}, {}, {}});
     if (!state.states.empty()) places_[own].first_inside = own + 1;
     add(state.states, own);
   }
@@ -87,12 +89,17 @@ void Automaton::resolve(Place& place) {
 void Automaton::equip(std::span<const elsie::Member> members, const elsie::Perception& example) {
   unused_.clear();
   for (const elsie::Member& member : members) unused_.emplace_back(member.name());
+  MemberNames names;
+  names.read(members);
   for (Place& place : places_) {
     const std::string& behavior = place.described->behavior;
     if (!behavior.empty()) {
-      place.member = index_of(members, behavior);
+      place.member = names.find("state", "behavior", behavior);
       std::erase(unused_, behavior);
     }
+  }
+  names.throw_problems();
+  for (Place& place : places_) {
     for (Way& way : place.ways) {
       if (way.when) way.when->equip(members, example);
     }

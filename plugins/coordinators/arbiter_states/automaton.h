@@ -34,6 +34,7 @@ struct Way {
 /// A state whose names have been looked up. Inner states come after the one that holds them.
 struct Place {
   const State* described;
+  std::string reason;  // in the trace: "state search"
   std::size_t within;  // the index of the state around it
   std::optional<std::size_t> first_inside;
   std::vector<Way> ways;

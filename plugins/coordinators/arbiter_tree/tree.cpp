@@ -1,7 +1,10 @@
 #include "tree.h"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
+
+#include "member_names.h"
 
 using elsie::Status;
 
@@ -16,6 +19,14 @@ std::string label_of(const TreeNode& node) {
 
 }  // namespace
 
+BehaviorTree::Kind BehaviorTree::kind_of(const std::string& name) {
+  static const std::map<std::string, Kind> kKinds{
+      {"sequence", Kind::sequence}, {"fallback", Kind::fallback},   {"parallel", Kind::parallel},
+      {"inverter", Kind::inverter}, {"retry", Kind::retry},         {"repeat", Kind::repeat},
+      {"timeout", Kind::timeout},   {"condition", Kind::condition}, {"run", Kind::run}};
+  return kKinds.at(name);
+}
+
 BehaviorTree::BehaviorTree(const TreeNode& root) { add(root, 0); }
 
 void BehaviorTree::add(const TreeNode& described, std::size_t parent) {
@@ -27,8 +38,9 @@ void BehaviorTree::add(const TreeNode& described, std::size_t parent) {
   }
   Node node;
   node.described = &described;
+  node.kind = kind_of(described.kind);
   node.parent = parent;
-  if (described.kind == "condition") {
+  if (node.kind == Kind::condition) {
     if (described.when.empty() == described.event.empty()) {
       throw std::invalid_argument("<condition> needs either when=\"...\" or event=\"...\"");
     }
@@ -47,9 +59,14 @@ void BehaviorTree::add(const TreeNode& described, std::size_t parent) {
 }
 
 void BehaviorTree::equip(std::span<const elsie::Member> members, const elsie::Perception& example) {
+  MemberNames names;
+  names.read(members);
   for (Node& node : nodes_) {
     try {
-      if (node.described->kind == "run") node.member = index_of(members, node.described->behavior);
+      if (node.kind == Kind::run) {
+        node.member = names.find("run", "behavior", node.described->behavior).value_or(0);
+        names.throw_problems();
+      }
       if (node.when) node.when->equip(members, example);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(node.described->where + error.what());
@@ -64,7 +81,7 @@ void BehaviorTree::reset() {
 
 bool BehaviorTree::runs(std::size_t member) const {
   return std::any_of(nodes_.begin(), nodes_.end(), [&](const Node& node) {
-    return node.is_running && node.described->kind == "run" && node.member == member;
+    return node.is_running && node.kind == Kind::run && node.member == member;
   });
 }
 
@@ -95,7 +112,7 @@ bool BehaviorTree::resume(const std::vector<double>& progress) {
     node.is_running = progress[at + 1] != 0.0;
     node.at = static_cast<std::size_t>(progress[at + 2]);
     node.since_s = progress[at + 3];
-    node.of.assign(node.described->kind == "parallel" ? count : 0, std::nullopt);
+    node.of.assign(node.kind == Kind::parallel ? count : 0, std::nullopt);
     for (std::size_t i = 0; i < node.of.size(); ++i) {
       const double ended = progress[at + kOwn + i];
       if (ended >= 0.0) node.of[i] = static_cast<Status>(static_cast<int>(ended));
@@ -121,45 +138,54 @@ void BehaviorTree::halt(std::size_t node) {
 
 Status BehaviorTree::tick(std::size_t index, const Now& now) {
   Node& node = nodes_[index];
-  const TreeNode& described = *node.described;
   const bool is_new = !node.is_running;
   node.is_ticked = node.is_running = true;
   if (is_new) {
     node.at = 0;
     node.since_s = now.perception.time_s();
-    node.of.assign(described.kind == "parallel" ? node.children.size() : 0, std::nullopt);
+    node.of.assign(node.kind == Kind::parallel ? node.children.size() : 0, std::nullopt);
   }
-  if (described.kind == "sequence") {
-    node.status = in_order(node, now, Status::success);
-  } else if (described.kind == "fallback") {
-    node.status = in_order(node, now, Status::failure);
-  } else if (described.kind == "parallel") {
-    node.status = parallel(node, now);
-  } else if (described.kind == "retry") {
-    node.status = again(node, now, Status::failure);
-  } else if (described.kind == "repeat") {
-    node.status = again(node, now, Status::success);
-  } else if (described.kind == "inverter") {
-    const Status status = tick(node.children[0], now);
-    node.status = status == Status::success   ? Status::failure
-                  : status == Status::failure ? Status::success
-                                              : Status::running;
-  } else if (described.kind == "timeout") {
-    constexpr double kRounding = 1e-9;  // s
-    const bool is_late = now.perception.time_s() - node.since_s + kRounding >= described.seconds;
-    node.status = is_late ? Status::failure : tick(node.children[0], now);
-  } else if (described.kind == "condition") {
-    const bool holds = node.when ? node.when->holds(now.members, now.perception)
-                                 : perceives(now.perception, described.event);
-    node.status = holds ? Status::success : Status::failure;
-  } else {
-    node.status = run(node, is_new, now);
-  }
+  node.status = outcome(node, is_new, now);
   node.is_running = node.status == Status::running;
   if (!node.is_running) {
     for (const std::size_t child : node.children) halt(child);
   }
   return node.status;
+}
+
+Status BehaviorTree::outcome(Node& node, bool is_new, const Now& now) {
+  switch (node.kind) {
+    case Kind::sequence:
+      return in_order(node, now, Status::success);
+    case Kind::fallback:
+      return in_order(node, now, Status::failure);
+    case Kind::parallel:
+      return parallel(node, now);
+    case Kind::retry:
+      return again(node, now, Status::failure);
+    case Kind::repeat:
+      return again(node, now, Status::success);
+    case Kind::inverter: {
+      const Status status = tick(node.children[0], now);
+      return status == Status::success   ? Status::failure
+             : status == Status::failure ? Status::success
+                                         : Status::running;
+    }
+    case Kind::timeout: {
+      constexpr double kRounding = 1e-9;  // s
+      const double age = now.perception.time_s() - node.since_s;
+      return age + kRounding >= node.described->seconds ? Status::failure
+                                                        : tick(node.children[0], now);
+    }
+    case Kind::condition: {
+      const bool holds = node.when ? node.when->holds(now.members, now.perception)
+                                   : perceives(now.perception, node.described->event);
+      return holds ? Status::success : Status::failure;
+    }
+    case Kind::run:
+      break;
+  }
+  return run(node, is_new, now);
 }
 
 /// A sequence goes on after a success, a fallback after a failure. With memory, children that are

@@ -58,8 +58,22 @@ class BehaviorTree {
   void light(std::span<elsie::NodeState> nodes) const;
 
  private:
+  enum class Kind {
+    sequence,
+    fallback,
+    parallel,
+    inverter,
+    retry,
+    repeat,
+    timeout,
+    condition,
+    run
+  };
+  static Kind kind_of(const std::string& name);
+
   struct Node {
     const TreeNode* described;
+    Kind kind;
     std::size_t parent;
     std::vector<std::size_t> children;
     std::optional<Condition> when;
@@ -80,6 +94,7 @@ class BehaviorTree {
 
   void add(const TreeNode& described, std::size_t parent);
   elsie::Status tick(std::size_t node, const Now& now);
+  elsie::Status outcome(Node& node, bool is_new, const Now& now);
   elsie::Status in_order(Node& node, const Now& now, elsie::Status goes_on);
   elsie::Status parallel(Node& node, const Now& now);
   elsie::Status again(Node& node, const Now& now, elsie::Status goes_on);

@@ -83,15 +83,6 @@ bool perceives(const Perception& now, std::string_view event) {
                      [event](const elsie::Event& each) { return each.name == event; });
 }
 
-std::size_t index_of(std::span<const Member> members, const std::string& name) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    if (members[i].name() == name) return i;
-    names.emplace_back(members[i].name());
-  }
-  refuse("there is no behavior '" + name + "' beside it", name, names);
-}
-
 void Condition::equip(std::span<const Member> members, const Perception& example) {
   sources_.clear();
   for (const auto& name : formula_.names()) {

@@ -45,6 +45,3 @@ class Condition {
 
 /// Whether the robot perceives the event now.
 bool perceives(const elsie::Perception& now, std::string_view event);
-
-/// The index of a member. Throws std::invalid_argument: "there is no behavior 'x' in ...".
-std::size_t index_of(std::span<const elsie::Member> members, const std::string& name);

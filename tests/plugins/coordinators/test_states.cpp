@@ -289,8 +289,9 @@ TEST_CASE("Automata that mean nothing are refused in words") {
              Contains("two states are called 'one'"));
   CHECK_THAT(refusal({state("one", "a", {on("go", "twoo")}), state("two", "b")}),
              Contains("leads to 'twoo', which is no state; did you mean 'two'?"));
-  CHECK_THAT(refusal({state("one", "d")}),
-             Contains("there is no behavior 'd' beside it; there are: a, b, c"));
+  CHECK_THAT(
+      refusal({state("one", "d")}),
+      Contains("<state behavior=\"d\"> names no behaviour of this coordinator; it has: a, b, c"));
   CHECK_THAT(refusal({state("one", "a", {state("two", "b")})}),
              Contains("the state 'one' has a behavior and states in it"));
   CHECK_THAT(refusal({state("one", "a", {element("transition", {{"to", "one"}})})}),

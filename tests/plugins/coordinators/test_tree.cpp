@@ -287,7 +287,7 @@ TEST_CASE("A tree of BehaviorTree.CPP is read from its file") {
   CHECK_THAT(why_not("<root><BehaviorTree ID='A'><Timeout><a/></Timeout></BehaviorTree></root>"),
              Contains("<Timeout> lacks msec"));
   CHECK_THAT(why_not("<root><BehaviorTree ID='A'><fly/></BehaviorTree></root>"),
-             Contains("tree.xml:1: there is no behavior 'fly'"));
+             Contains("tree.xml:1: <run behavior=\"fly\"> names no behaviour"));
   const auto node_refused = [&](const std::string& inner) {
     return why_not("<root><BehaviorTree ID='A'>" + inner + "</BehaviorTree></root>");
   };
@@ -318,7 +318,8 @@ TEST_CASE("Trees that mean nothing are refused in words") {
   CHECK_THAT(refusal({node("inverter", {run("a"), run("b")})}),
              Contains("<inverter> has 2 nodes in it; expected one"));
   CHECK_THAT(refusal({node("condition")}), Contains("<condition> needs either when"));
-  CHECK_THAT(refusal({run("d")}), Contains("there is no behavior 'd'"));
+  CHECK_THAT(refusal({run("d")}),
+             Contains("<run behavior=\"d\"> names no behaviour of this coordinator"));
   CHECK_THAT(refusal({node("parallel", {run("a")}, {{"successes", std::int64_t{2}}})}),
              Contains("waits for more nodes than the 1 in it"));
   CHECK_THAT(refusal({condition("batery > 1")}), Contains("did you mean 'battery'?"));
