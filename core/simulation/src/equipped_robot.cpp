@@ -1,7 +1,5 @@
 #include "elsie/simulation/equipped_robot.h"
 
-#include <stdexcept>
-
 #include "robot/common_data.h"
 #include "robot/robot.h"
 
@@ -15,13 +13,6 @@ EquippedRobot::EquippedRobot(const world::World& world, std::size_t robot,
 EquippedRobot::EquippedRobot(EquippedRobot&&) noexcept = default;
 EquippedRobot::~EquippedRobot() = default;
 
-Component& EquippedRobot::object(const world::PluginUse& use) {
-  const PluginObject* const found = robot_->find_object(use);
-  if (!found) {
-    throw std::invalid_argument("the plugin '" + use.plugin + "' is not part of the robot '" +
-                                robot_->description().id + "'");
-  }
-  return *found->held;
-}
+Component& EquippedRobot::object(const world::PluginUse& use) { return robot_->object(use); }
 
 }  // namespace elsie::simulation

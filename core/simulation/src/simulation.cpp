@@ -329,7 +329,9 @@ std::vector<PluginSketch> Simulation::sketches() const { return impl_->measuring
 std::vector<LitGraph> Simulation::graphs(std::size_t robot) const {
   return impl_->robots_[robot]->graphs();
 }
-
+Component& Simulation::object(std::size_t robot, const world::PluginUse& use) {
+  return impl_->robots_[robot]->object(use);
+}
 std::vector<MadeInference> Simulation::inferences(std::size_t robot) const {
   return impl_->robots_[robot]->inferences();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -428,6 +429,15 @@ PluginObject* Robot::find_object(const world::PluginUse& use) const {
     found = each.use == &use ? &each : found;
   });
   return found;
+}
+
+Component& Robot::object(const world::PluginUse& use) const {
+  const PluginObject* const found = find_object(use);
+  if (!found) {
+    throw std::invalid_argument("the plugin '" + use.plugin + "' is not part of the robot '" +
+                                description_->id + "'");
+  }
+  return *found->held;
 }
 
 void Robot::set_up(PluginObject& object, const Setup& setup) {

@@ -137,6 +137,8 @@ class Robot final : private RobotRequests {
   void for_each(Order order, const Visit& visit) const;
   /// The object for a use of a plugin; null when it does not belong to this robot.
   PluginObject* find_object(const world::PluginUse& use) const;
+  /// The same. Throws std::invalid_argument when there is none.
+  Component& object(const world::PluginUse& use) const;
   /// Checks whether the plugin accepts these parameters, without setting them; passes on its
   /// exceptions. Returns the camera that a sensor would then have.
   std::optional<Camera> try_out(const PluginObject& object, const Setup& setup) {

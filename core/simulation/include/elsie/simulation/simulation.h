@@ -254,6 +254,9 @@ class Simulation {
 
   std::size_t robots() const;
   RobotView robot(std::size_t index) const;
+  /// The object of a sensor, behaviour or coordinator of a robot, at any depth: for trainers. `use`
+  /// is part of world(). Throws std::invalid_argument when the robot has no such part.
+  Component& object(std::size_t robot, const world::PluginUse& use);
   std::size_t sensors(std::size_t robot) const;
   SensorView sensor(std::size_t robot, std::size_t index) const;
   /// Calls `visit` for each field of a sensor's current reading. Throws PluginFault, and what
