@@ -37,7 +37,7 @@ MAY_NEED = {
 }
 OPTIONAL = {"bin/elsie-desktop"}
 PLUGINS = {"libelsie-base", "libelsie", "libelsie-inference"}
-EXCEPTIONS = {"arbiter_states": {"libelsie-formula"}, "arbiter_tree": {"libelsie-formula"}}  # by plugin: the libraries of others that it may need
+EXCEPTIONS = {name: {"libelsie-formula"} for name in ("arbiter_learning", "arbiter_states", "arbiter_tree", "reward")}  # by plugin: the libraries of others that it may need
 
 # The libraries that must come with no storey by a detour: those above, and these; and what some of them bring themselves.
 UNWANTED = {"libGL", "libEGL"}
@@ -55,7 +55,7 @@ MODULES = {
     "libelsie": ["api", "plugin", "world", "physics", "simulation"],
     "libelsie-files": ["files"],
     "libelsie-formula": ["formula"],
-    "libelsie-inference": ["fuzzy", "neural"],
+    "libelsie-inference": ["fuzzy", "neural", "learning"],
     "libelsie-workshop": ["process", "build", "reference"],
     "libelsie-editing": ["editing"],
     "libelsie-render": ["render"],

@@ -11,26 +11,19 @@
 // a word and a text, for the user of the network. `neuron`: its layer and its place there, both
 // counted from 1, its bias, then the weight of each of its inputs; all neurons, in this order.
 // Numbers are the shortest decimals that read back as the same: writing and reading keeps every
-// bit. Empty lines and lines that begin with # are ignored.
+// bit.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "elsie/neural/data_file.h"
 #include "elsie/neural/network.h"
 
 namespace elsie::neural {
 
 inline constexpr int kWeightsVersion = 1;
-
-/// A remark in a weight file about its network: `key` is a word, `text` one line.
-struct Remark {
-  std::string key;
-  std::string text;
-
-  friend bool operator==(const Remark&, const Remark&) = default;
-};
 
 struct Weights {
   Network network;

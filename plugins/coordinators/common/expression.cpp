@@ -1,4 +1,4 @@
-#include "condition.h"
+#include "expression.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -83,21 +83,21 @@ bool perceives(const Perception& now, std::string_view event) {
                      [event](const elsie::Event& each) { return each.name == event; });
 }
 
-void Condition::equip(std::span<const Member> members, const Perception& example) {
+void Expression::equip(std::span<const Member> members, const Perception& example) {
   sources_.clear();
   for (const auto& name : formula_.names()) {
     try {
       sources_.push_back(source_of(name.text, members, example));
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("the condition \"" + text_ + "\", column " +
+      throw std::invalid_argument("the " + std::string(what_) + " \"" + text_ + "\", column " +
                                   std::to_string(name.column) + ": " + error.what());
     }
   }
   values_.resize(sources_.size());
 }
 
-Condition::Source Condition::source_of(const std::string& name, std::span<const Member> members,
-                                       const Perception& example) const {
+Expression::Source Expression::source_of(const std::string& name, std::span<const Member> members,
+                                         const Perception& example) const {
   if (name.starts_with(kEvent)) {
     return [event = name.substr(kEvent.size())](auto, const Perception& now) {
       return perceives(now, event) ? 1.0 : 0.0;
@@ -135,7 +135,7 @@ Condition::Source Condition::source_of(const std::string& name, std::span<const 
                               perception_input_hint(name));
 }
 
-bool Condition::holds(std::span<const Member> members, const Perception& now) {
+std::optional<double> Expression::value(std::span<const Member> members, const Perception& now) {
   for (std::size_t i = 0; i < sources_.size(); ++i) values_[i] = sources_[i](members, now);
-  return formula_.is_true(values_);
+  return formula_.value(values_);
 }
