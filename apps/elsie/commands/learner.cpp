@@ -8,6 +8,7 @@
 #include "elsie/api/coordinator.h"
 #include "elsie/base/near_name.h"
 #include "elsie/base/words.h"
+#include "elsie/learning/reward_learner.h"
 
 #include "command.h"
 
@@ -48,16 +49,30 @@ const world::Robot& robot_of(const world::World& world, const std::optional<std:
                                    base::joined(ids));
 }
 
-struct Found {
-  std::size_t robot = 0;
-  const world::PluginUse* use = nullptr;
-  std::string owner;  // its name in messages
-  std::string path;
-};
+std::optional<Lessons> lessons_of(const elsie::Coordinator& object) {
+  if (dynamic_cast<const neural::Trainable*>(&object)) return Lessons::samples;
+  if (dynamic_cast<const learning::RewardLearner*>(&object)) return Lessons::rewards;
+  return std::nullopt;
+}
 
-Found find_coordinator(const world::World& world, const LearnerPlace& place) {
+std::string learners(const plugin::Host& host) {
+  std::vector<std::string> names;
+  for (const elsie::Declaration* declaration : host.all(PluginKind::coordinator)) {
+    try {
+      const auto object =
+          host.create<elsie::Coordinator>(PluginKind::coordinator, declaration->name);
+      if (lessons_of(*object)) names.push_back(declaration->name);
+    } catch (const std::exception&) {  // a plugin that cannot be made does not learn
+    }
+  }
+  return names.empty() ? "none was found that does" : "those that do: " + base::joined(names);
+}
+
+}  // namespace
+
+FoundCoordinator find_coordinator(const world::World& world, const LearnerPlace& place) {
   const world::Robot& robot = robot_of(world, place.robot);
-  Found found{0, nullptr, "robot '" + robot.id + "'", "robot[" + robot.id + "]/"};
+  FoundCoordinator found{0, nullptr, "robot '" + robot.id + "'", "robot[" + robot.id + "]/"};
   while (world.robots[found.robot].id != robot.id) ++found.robot;
   const world::Coordination* coordination = &robot;
   for (std::size_t at = 0; at < place.behavior.size();) {
@@ -82,36 +97,23 @@ Found find_coordinator(const world::World& world, const LearnerPlace& place) {
   return found;
 }
 
-std::string learners(const plugin::Host& host) {
-  std::vector<std::string> names;
-  for (const elsie::Declaration* declaration : host.all(PluginKind::coordinator)) {
-    try {
-      const auto object =
-          host.create<elsie::Coordinator>(PluginKind::coordinator, declaration->name);
-      if (dynamic_cast<const neural::Trainable*>(object.get())) {
-        names.push_back(declaration->name);
-      }
-    } catch (const std::exception&) {  // a plugin that cannot be made does not learn
-    }
-  }
-  return names.empty() ? "none was found that does" : "those that do: " + base::joined(names);
-}
-
-}  // namespace
-
-std::vector<std::string> learner_edits(
-    const world::World& world, const plugin::Host& host, const LearnerPlace& place,
-    const std::vector<std::pair<std::string, std::string>>& parameters) {
-  const Found found = find_coordinator(world, place);
+Lessons lessons_of(const FoundCoordinator& found, const plugin::Host& host) {
   const auto object = host.create<elsie::Coordinator>(PluginKind::coordinator, found.use->plugin);
-  if (!dynamic_cast<const neural::Trainable*>(object.get())) {
+  const auto lessons = lessons_of(*object);
+  if (!lessons) {
     throw BadInput("the coordinator '" + found.use->plugin + "' of the " + found.owner +
                    " does not learn; " + learners(host));
   }
+  return *lessons;
+}
+
+std::vector<std::string> learner_edits(
+    const FoundCoordinator& found, const std::string& learned,
+    const std::vector<std::pair<std::string, std::string>>& parameters) {
   std::vector<std::string> edits;
-  const auto weights = found.use->parameters.find("weights");
-  if (weights != found.use->parameters.end() && std::get<std::string>(weights->second) != "") {
-    edits.push_back(found.path + "/@weights/@remove=true");
+  const auto file = found.use->parameters.find(learned);
+  if (file != found.use->parameters.end() && std::get<std::string>(file->second) != "") {
+    edits.push_back(found.path + "/@" + learned + "/@remove=true");
   }
   for (const auto& [name, value] : parameters) {
     edits.push_back(found.path + "/@" + name + "=" + value);
@@ -123,7 +125,7 @@ Learner make_learner(const world::World& world, const plugin::Host& host,
                      const LearnerPlace& place) {
   Learner learner;
   learner.world = std::make_unique<const world::World>(world);
-  const Found found = find_coordinator(*learner.world, place);
+  const FoundCoordinator found = find_coordinator(*learner.world, place);
   learner.plugin = found.use->plugin;
   learner.robot = learner.world->robots[found.robot].id;
   learner.path = found.path;

@@ -1,6 +1,7 @@
-// Finds a robot's coordinator and prepares it for training.
+// Finds a robot's coordinator that learns.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,25 +23,41 @@ struct LearnerPlace {
   std::string behavior;
 };
 
-/// A coordinator that can be trained, on a robot that is equipped as in a run.
+struct FoundCoordinator {
+  std::size_t robot = 0;                  // its index
+  const world::PluginUse* use = nullptr;  // in the world
+  std::string owner;                      // its name in messages
+  std::string path;                       // also of its random stream in a run
+};
+
+/// Throws BadInput when there is none.
+FoundCoordinator find_coordinator(const world::World& world, const LearnerPlace& place);
+
+/// From what a coordinator learns: a file of samples (neural::Trainable), or rewards
+/// (learning::RewardLearner).
+enum class Lessons { samples, rewards };
+
+/// Throws BadInput when it does not learn.
+Lessons lessons_of(const FoundCoordinator& found, const plugin::Host& host);
+
+/// The edits of the world that give the coordinator these parameters, names with their values, and
+/// take away the file of what it has learned, which the parameter `learned` names.
+std::vector<std::string> learner_edits(
+    const FoundCoordinator& found, const std::string& learned,
+    const std::vector<std::pair<std::string, std::string>>& parameters);
+
+/// A coordinator whose network can be trained, on a robot that is equipped as in a run.
 struct Learner {
   std::unique_ptr<const world::World> world;
   std::optional<simulation::EquippedRobot> equipped;
   const neural::Trainable* network = nullptr;  // the robot's
   std::string plugin;
   std::string robot;
-  std::string path;  // also of its random stream in a run
+  std::string path;
 };
 
-/// The edits of the world that give the coordinator at this place these parameters, names with
-/// their values, and take its weights away. Throws BadInput when there is none, or it does not
-/// learn.
-std::vector<std::string> learner_edits(
-    const world::World& world, const plugin::Host& host, const LearnerPlace& place,
-    const std::vector<std::pair<std::string, std::string>>& parameters);
-
-/// Makes the coordinator at this place. Throws like learner_edits(), and world::WorldError when the
-/// world does not fit the robot.
+/// Makes the coordinator at this place. Throws BadInput, and world::WorldError when the world does
+/// not fit the robot.
 Learner make_learner(const world::World& world, const plugin::Host& host,
                      const LearnerPlace& place);
 

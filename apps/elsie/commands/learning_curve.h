@@ -1,7 +1,9 @@
 // Draws the learning curve of a training.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,5 +16,10 @@ namespace elsie::program {
 void draw_learning_curve(const neural::Training& training, const std::string& title,
                          const std::vector<std::string>& subtitles,
                          const std::filesystem::path& file);
+
+/// The reward of each episode, and the mean of each with those before it, `window` in all. Throws
+/// as picture::save_page().
+void draw_rewards(std::span<const double> rewards, std::size_t window, const std::string& title,
+                  const std::vector<std::string>& subtitles, const std::filesystem::path& file);
 
 }  // namespace elsie::program

@@ -1,347 +1,134 @@
-// elsie train: trains the network of a coordinator and writes its weights.
+// elsie train: trains the coordinator of a robot, and writes what it has learned.
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
-#include <functional>
 #include <iostream>
 #include <iterator>
-#include <map>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
 #include "elsie/base/number_text.h"
 #include "elsie/files/outputs.h"
-#include "elsie/process/text_table.h"
+#include "elsie/learning/values.h"
+#include "elsie/neural/weights.h"
 #include "elsie/world/reader.h"
 
 #include "arguments.h"
 #include "command.h"
-#include "environment.h"
-#include "interrupts.h"
-#include "learner.h"
-#include "learning_curve.h"
 #include "output_files.h"
-#include "progress.h"
-#include "streams.h"
+#include "train_options.h"
 
 namespace elsie::program {
 
 namespace {
-
-struct TrainOptions {
-  PluginOptions plugins;
-  std::string world;
-  bool from_input = false;  // the text of the world
-  LearnerPlace place;
-  std::optional<std::uint64_t> seed;
-  std::vector<std::string> edits;
-  std::map<std::string, std::string> parameters;  // that replace those of the coordinator
-  std::optional<std::string> weights;
-  std::optional<std::string> curve;
-  bool json = false;
-  bool progress = false;  // as lines of JSON
-  bool quiet = false;
-};
 
 constexpr const char* kTrainExamples = R"(
 Examples:
   elsie train worlds/learned_priorities.xml --robot r1 --weights r1.weights
   elsie train worlds/learned_priorities.xml --hidden '4 4' --seed 3 --curve curve.png
   elsie run worlds/learned_priorities.xml --set 'robot[r1]/coordinator/@weights=r1.weights'
+  elsie train worlds/learned_arbitration.xml --episodes 50 --values r1.values --curve curve.png
+  elsie run worlds/learned_arbitration.xml --set 'robot[r1]/coordinator/@values=r1.values'
 
-The network is the one that `elsie run` trains with the same seed. Exit code 1: it is untrained and
-gives the same output for every input; its weights are written nevertheless.
+A network is the one that `elsie run` trains with the same seed. From rewards a coordinator learns in
+episodes: runs with one seed after the other. Exit code 1: it is untrained: a network gives the same
+output for every input, or all values are 0. What it has is written nevertheless.
 )";
 
-/// A weight file may be replaced, but no other file that was named by mistake.
-void require_weights(const std::string& file) {
-  require_writable(file, "--weights");
+/// A file of what was learned may be replaced, but no other file that was named by mistake.
+void require_learned(const std::string& file, const char* option, const char* what,
+                     bool (*is_one)(const std::string&)) {
+  require_writable(file, option);
   std::error_code error;
   if (std::filesystem::exists(file, error) &&
-      (!std::filesystem::is_regular_file(file, error) || !neural::looks_like_weights(file))) {
-    throw BadInput("--weights: '" + file +
-                   "' already exists and is not a weight file; give another name, or remove it");
+      (!std::filesystem::is_regular_file(file, error) || !is_one(file))) {
+    throw BadInput(std::string(option) + ": '" + file + "' already exists and is not a " + what +
+                   "; give another name, or remove it");
   }
 }
 
-std::string rough(double value) { return base::number_text(value, 4); }
-
-/// Shows the progress of a training, and stops it when the user interrupts.
-class TrainingWatcher {
- public:
-  enum class Shown { nothing, bar, lines };  // lines of JSON, for a program
-
-  explicit TrainingWatcher(Shown shown) : shown_(shown), bar_(shown == Shown::bar) {}
-
-  bool operator()(const neural::TrainingProgress& progress) {
-    constexpr auto kRedraw = std::chrono::milliseconds(100);
-    const auto now = std::chrono::steady_clock::now();
-    if (shown_ != Shown::nothing && now - last_ >= kRedraw) {
-      last_ = now;
-      shown_ == Shown::bar ? draw(progress) : print(progress);
-    }
-    return !InterruptGuard::is_interrupted();
-  }
-
- private:
-  void draw(const neural::TrainingProgress& progress) {
-    const double part =
-        static_cast<double>(progress.presentations) / static_cast<double>(progress.of);
-    bar_.draw(bar_text(part) + "  mean error " + rough(progress.error));
-  }
-  static void print(const neural::TrainingProgress& progress) {
-    data_out() << nlohmann::ordered_json{{"presentations", progress.presentations},
-                                         {"of", progress.of},
-                                         {"error", progress.error}}
-                      .dump()
-               << std::endl;
-  }
-
-  Shown shown_;
-  StatusLine bar_;
-  std::chrono::steady_clock::time_point last_;
-};
-
-struct Report {
-  const Learner& learner;
-  const neural::Lesson& lesson;
-  std::uint64_t seed;
-  double seconds;
-  std::string warning;
-};
-
-std::string header(const Report& report) {
-  return report.learner.robot + ", " + report.learner.plugin + ": network " +
-         neural::sizes_text(report.lesson.weights.network.sizes()) + ", seed " +
-         std::to_string(report.seed);
-}
-
-/// A row for each sample: its inputs, then for each output the target and the answer.
-std::string answers(const neural::Lesson& lesson) {
-  std::vector<std::vector<std::string>> rows(1);
-  for (std::size_t i = 0; i < lesson.samples.inputs(); ++i) {
-    rows[0].push_back(lesson.inputs[i]);
-  }
-  for (const std::string& output : lesson.outputs) {
-    rows[0].push_back(output);
-    rows[0].push_back("answer");
-  }
-  for (std::size_t s = 0; s < lesson.samples.size(); ++s) {
-    std::vector<std::string>& row = rows.emplace_back();
-    for (const double input : lesson.samples.inputs(s)) {
-      row.push_back(rough(input));
-    }
-    for (std::size_t k = 0; k < lesson.outputs.size(); ++k) {
-      row.push_back(rough(lesson.samples.targets(s)[k]));
-      row.push_back(base::fixed_text(lesson.assessment.answer(s)[k], 4));
-    }
-  }
-  return process::laid_out(rows, 0);
-}
-
-void print(const Report& report, const TrainOptions& options) {
-  const neural::Lesson& lesson = report.lesson;
-  out() << header(report) << '\n'
-        << neural::summary(lesson.training, lesson.assessment) << ", in "
-        << base::fixed_text(report.seconds, 2) << " s\n";
-  if (!report.warning.empty()) {
-    out() << report.warning << '\n';
-  }
-  out() << '\n' << answers(lesson);
+/// Checks the files that will be written.
+void require_outputs(const TrainOptions& options) {
+  std::vector<files::Output> outputs;
   if (options.weights) {
-    out() << "\nweights: " << *options.weights << '\n';
+    require_learned(*options.weights, "--weights", "weight file", neural::looks_like_weights);
+    outputs.push_back({"--weights", *options.weights});
   }
+  if (options.values) {
+    require_learned(*options.values, "--values", "file of values", learning::looks_like_values);
+    outputs.push_back({"--values", *options.values});
+  }
+  if (options.curve) {
+    require_picture(*options.curve, "--curve");
+    outputs.push_back({"--curve", *options.curve});
+  }
+  files::require_apart(outputs, {});
 }
 
-void print_json(const Report& report) {
-  const neural::Lesson& lesson = report.lesson;
-  nlohmann::ordered_json object{
-      {"robot", report.learner.robot},
-      {"plugin", report.learner.plugin},
-      {"seed", report.seed},
-      {"error", lesson.assessment.error},
-      {"presentations", lesson.training.presentations},
-      {"below_threshold", lesson.training.ending == neural::Ending::threshold},
-      {"untrained", lesson.assessment.untrained},
-      {"warning", report.warning},
-      {"inputs", lesson.inputs},
-      {"outputs", lesson.outputs}};
-  object["sizes"] = nlohmann::ordered_json::array();
-  for (const int size : lesson.weights.network.sizes()) {
-    object["sizes"].push_back(size);
-  }
-  const auto array = [](std::span<const double> numbers) {
-    return nlohmann::ordered_json(std::vector<double>(numbers.begin(), numbers.end()));
+/// Refuses the options of the other way to learn.
+void require_options_of(Lessons lessons, const TrainOptions& options, const std::string& plugin) {
+  const auto refuse = [&](const std::string& option, const char* how) {
+    throw BadInput(option + ": the coordinator '" + plugin + "' " + how);
   };
-  object["samples"] = nlohmann::ordered_json::array();
-  for (std::size_t s = 0; s < lesson.samples.size(); ++s) {
-    object["samples"].push_back({{"inputs", array(lesson.samples.inputs(s))},
-                                 {"targets", array(lesson.samples.targets(s))},
-                                 {"answers", array(lesson.assessment.answer(s))}});
-  }
-  object["curve"] = nlohmann::ordered_json::array();
-  for (const neural::CurvePoint& point : lesson.training.curve) {
-    object["curve"].push_back({point.presentations, point.error});
-  }
-  data_out() << object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
-             << '\n';
-}
-
-/// The stream of the network's first weights: that of a run with this seed, unless the coordinator
-/// has its own seed.
-elsie::Random stream_of(const Learner& learner, const TrainOptions& options, std::uint64_t& seed) {
-  const std::int64_t fixed = learner.network->fixed_seed();
-  if (fixed < 0) {
-    seed = options.seed.value_or(1);
-    return elsie::Random(seed, learner.path);
-  }
-  if (options.seed) {
-    throw BadInput("--seed: the coordinator '" + learner.plugin + "' of the robot '" +
-                   learner.robot + "' has the seed " + std::to_string(fixed) +
-                   " of its own, which fixes its weights; take it out of the world first");
-  }
-  seed = static_cast<std::uint64_t>(fixed);
-  return neural::stream_of_seed(seed);
-}
-
-using Parameters = std::map<std::string, std::string>;
-using MakeLearner = std::function<Learner(const Parameters&)>;
-
-/// Reports for an option, such as --learning-rate, what is wrong with it alone and not without it.
-[[noreturn]] void blame_options(const Parameters& parameters, const MakeLearner& make,
-                                const world::WorldError& error) {
-  const auto problems_with = [&](const Parameters& some) -> std::vector<base::Problem> {
-    try {
-      make(some);
-      return {};
-    } catch (const world::WorldError& other) {
-      return other.problems();
+  if (lessons == Lessons::rewards) {
+    constexpr const char* kHow =
+        "has no network: it learns from rewards; see --episodes, --explore and --values";
+    if (options.weights) refuse("--weights", kHow);
+    if (!options.parameters.empty()) {
+      std::string option = "--" + options.parameters.begin()->first;
+      std::replace(option.begin(), option.end(), '_', '-');
+      refuse(option, kHow);
     }
-  };
-  const auto is_among = [](const std::vector<base::Problem>& all, const base::Problem& one) {
-    return std::find(all.begin(), all.end(), one) != all.end();
-  };
-  std::vector<base::Problem> problems = error.problems();
-  const std::vector<base::Problem> without = problems_with({});
-  for (const auto& parameter : parameters) {
-    const std::vector<base::Problem> with = problems_with({parameter});
-    for (base::Problem& problem : problems) {
-      if (is_among(with, problem) && !is_among(without, problem)) {
-        problem.file = "--" + parameter.first;
-        std::replace(problem.file.begin(), problem.file.end(), '_', '-');
-        problem.line = 0;
-      }
-    }
-  }
-  throw world::WorldError(std::move(problems));
-}
-
-/// The coordinator with the options as its parameters. `found` gets the files that its world names.
-Learner read_learner(const TrainOptions& options, const plugin::Host& host,
-                     std::map<std::string, std::string>& found) {
-  const std::string text =
-      options.from_input ? std::string{std::istreambuf_iterator<char>(std::cin), {}} : "";
-  world::ReadOptions reading = read_options(options.edits, options.seed.value_or(1));
-  const auto read = [&](const world::ReadOptions& how) {
-    return options.from_input ? world::parse_world(text, options.world, host, how)
-                              : world::read_world(options.world, host, how);
-  };
-  const world::World described = read(reading);
-  reading.found = &found;
-  const auto make = [&](const Parameters& parameters) {
-    world::ReadOptions with = reading;
-    const std::vector<std::string> edits =
-        learner_edits(described, host, options.place, {parameters.begin(), parameters.end()});
-    with.edits.insert(with.edits.end(), edits.begin(), edits.end());
-    return make_learner(read(with), host, options.place);
-  };
-  try {
-    return make(options.parameters);
-  } catch (const world::WorldError& error) {
-    blame_options(options.parameters, make, error);
+  } else {
+    constexpr const char* kHow =
+        "learns from samples, not from rewards; see --presentations, --weights";
+    if (options.values) refuse("--values", kHow);
+    if (options.episodes) refuse("--episodes", kHow);
+    if (options.explore) refuse("--explore", kHow);
   }
 }
 
 int train(const TrainOptions& options) {
-  if (options.weights) {
-    require_weights(*options.weights);
-  }
-  if (options.curve) {
-    require_picture(*options.curve, "--curve");
-  }
-  std::vector<files::Output> outputs;
-  if (options.weights) {
-    outputs.push_back({"--weights", *options.weights});
-  }
-  if (options.curve) {
-    outputs.push_back({"--curve", *options.curve});
-  }
-  files::require_apart(outputs, {});
+  require_outputs(options);
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
   }
   const plugin::Host host = load_plugins(options.plugins);
-  std::map<std::string, std::string> found;
-  const Learner learner = read_learner(options, host, found);
-  if (options.curve) {  // --weights may replace the world's, which a training does not use
-    files::require_apart({{"--curve", *options.curve}},
-                         read_files(options.world, found, options.plugins));
-  }
-
-  std::uint64_t seed = 0;
-  elsie::Random random = stream_of(learner, options, seed);
-  const InterruptGuard interrupt;
-  const auto start = std::chrono::steady_clock::now();
-  neural::Lesson lesson = [&] {
-    using Shown = TrainingWatcher::Shown;
-    const bool has_bar = !options.quiet && !options.json;
-    TrainingWatcher watcher(options.progress ? Shown::lines
-                            : has_bar        ? Shown::bar
-                                             : Shown::nothing);
-    try {
-      return learner.network->learn(random, std::ref(watcher));
-    } catch (const std::invalid_argument& problem) {
-      throw BadInput(problem.what());
-    }
-  }();
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  if (lesson.training.ending == neural::Ending::stopped) {
-    err() << "elsie: interrupted after " << lesson.training.presentations
-          << " presentations; nothing was written\n";
-    return kOtherFailure;
-  }
-  lesson.weights.about.push_back({"seed", std::to_string(seed)});
-  const Report report{learner, lesson, seed, taken.count(),
-                      neural::warning(lesson.assessment, lesson.outputs)};
-  if (options.weights) {
-    neural::write_weights(lesson.weights, *options.weights);
-  }
-  if (options.json) {
-    print_json(report);
-  } else if (!options.quiet) {
-    print(report, options);
-  }
-  out().flush();
-  if (options.curve) {
-    std::vector<std::string> lines{neural::summary(lesson.training, lesson.assessment)};
-    if (!report.warning.empty()) {
-      lines.push_back(report.warning);
-    }
-    draw_learning_curve(lesson.training, header(report), lines, *options.curve);
-  }
-  return lesson.assessment.untrained ? kGoalMissed : kSuccess;
+  const TrainingWorld world(options);
+  const world::World described = world.read(host, options.seed.value_or(1));
+  const FoundCoordinator found = find_coordinator(described, options.place);
+  const Lessons lessons = lessons_of(found, host);
+  require_options_of(lessons, options, found.use->plugin);
+  const auto train_it = lessons == Lessons::rewards ? train_from_rewards : train_network;
+  return train_it(options, world, described, host);
 }
 
 }  // namespace
 
+TrainingWorld::TrainingWorld(const TrainOptions& options)
+    : options_(options),
+      text_(options.from_input ? std::string{std::istreambuf_iterator<char>(std::cin), {}} : "") {}
+
+world::World TrainingWorld::read(const plugin::Host& host, std::uint64_t seed,
+                                 const std::vector<std::string>& edits,
+                                 std::map<std::string, std::string>* found) const {
+  world::ReadOptions reading = read_options(options_.edits, seed);
+  reading.edits.insert(reading.edits.end(), edits.begin(), edits.end());
+  reading.found = found;
+  return options_.from_input ? world::parse_world(text_, options_.world, host, reading)
+                             : world::read_world(options_.world, host, reading);
+}
+
+Shown shown(const TrainOptions& options) {
+  if (options.progress) return Shown::lines;
+  return options.quiet || options.json ? Shown::nothing : Shown::bar;
+}
+
 void add_train_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
-      "train", "Train the network of a robot's coordinator and write its weights");
+      "train", "Train the coordinator of a robot and write what it has learned");
   command->footer(kTrainExamples);
   auto options = std::make_shared<TrainOptions>();
   command->add_option("WORLD", options->world, "World file")->required();
@@ -354,12 +141,30 @@ void add_train_command(CLI::App& program, Job& job) {
                       "The coordinator inside this behaviour of the robot, such as blend/inner");
   command
       ->add_option("--weights", options->weights,
-                   "File to write the weights to; whole or not at all")
+                   "File to write the weights of a network to; whole or not at all")
+      ->type_name("FILE");
+  command
+      ->add_option(
+          "--values", options->values,
+          "File to write the values to that were learned from rewards; whole or not at all")
       ->type_name("FILE");
   command->add_option("--curve", options->curve, "Draw the learning curve")
       ->type_name("FILE.png|FILE.svg");
-  command->add_option("--seed", options->seed, "Seed of the first weights, as of a run (1)")
+  command
+      ->add_option("--seed", options->seed,
+                   "Seed of the first weights, as of a run; or of the first episode, of which the "
+                   "next has the next seed (1)")
       ->check(seed_number());
+  command
+      ->add_option("--episodes", options->episodes,
+                   "Runs in which it learns from rewards (" + std::to_string(kEpisodes) + ")")
+      ->check(whole_number(1, 10'000'000));
+  command
+      ->add_option("--explore", options->explore,
+                   "Probability that a choice is drawn, in the first episode; it falls in a line, "
+                   "and is 0 in the last tenth (" +
+                       base::number_text(kExplore) + ")")
+      ->check(number_between(0, 1));
   const auto parameter = [&](const char* option, const char* name, const char* about) {
     return command->add_option_function<std::string>(
         option, [options, name](const std::string& value) { options->parameters[name] = value; },
@@ -386,8 +191,8 @@ void add_train_command(CLI::App& program, Job& job) {
       command->add_flag("--json", options->json, "Print one JSON object, and nothing else");
   command
       ->add_flag("--progress", options->progress,
-                 "Before it, print a line of JSON about ten times a second: presentations, of how "
-                 "many at most, error")
+                 "Before it, print a line of JSON about ten times a second: presentations or "
+                 "episode, of how many at most, error or reward")
       ->needs(json);
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
   command->callback([&job, options] { job = [options] { return train(*options); }; });
