@@ -31,6 +31,7 @@ std::string needs_of(const std::string& coordinator) {
   return coordinator == "fusion_context_blending"
              ? " model=\"" + source_path("tests/plugins/coordinators/contexts.fcl") + "\""
          : coordinator.ends_with("neural_network") ? samples + " presentations=\"2000\""
+         : coordinator == "arbiter_learning"       ? " untrained=\"true\""
                                                    : "";
 }
 
@@ -38,7 +39,8 @@ std::string needs_of(const std::string& coordinator) {
 std::string markup_of(const std::string& coordinator) {
   const std::string inside = coordinator == "arbiter_states" ? "<state name='s' behavior='avoid'/>"
                              : coordinator == "arbiter_tree" ? "<run behavior='avoid'/>"
-                                                             : "";
+                             : coordinator == "arbiter_learning" ? "<feature of='battery'/>"
+                                                                 : "";
   return "<" + coordinator + needs_of(coordinator) + ">" + inside + "</" + coordinator + ">";
 }
 

@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "elsie/learning/values.h"
 #include "elsie/testing/catch.h"
 
+#include "folder.h"
 #include "places.h"
 
 using namespace elsie;
@@ -182,6 +184,7 @@ ElementValue run(const char* behavior) { return {"run", {{"behavior", std::strin
 }  // namespace
 
 TEST_CASE("All shipped plugins pass the checker") {
+  const test::Folder folder;
   for (const PluginKind kind : {kBehavior, kCoordinator, kSensor, kDrive, kActuator}) {
     for (const Declaration* declaration : Plugins::found().host().all(kind)) {
       const std::string& name = declaration->name;
@@ -198,6 +201,16 @@ TEST_CASE("All shipped plugins pass the checker") {
         options.elements = {{"fallback",
                              {{"memory", false}},
                              {{"sequence", {}, {run("low"), run("high")}}, run("high")}}};
+      } else if (name == "arbiter_learning") {
+        options.members = {"low", "high"};
+        options.settings = {{"values", folder.file("learned.values")}};
+        options.elements = {{"feature", {{"of", std::string("x")}, {"at", std::vector{0.0}}}}};
+        learning::ValueTable table(2, 2);
+        table.at(0, 1) = table.at(1, 0) = 1.0;
+        learning::write_values(
+            {{{"value", table}},
+             {{"method", "q"}, {"behaviors", "low high"}, {"features", "x at 0"}}},
+            std::get<std::string>(options.settings.at("values")));
       }
       CHECK_THAT(check_plugin(kind, name, options), finds_nothing());
     }

@@ -12,9 +12,10 @@ using namespace elsie::test;
 TEST_CASE("Every shipped measure keeps its promises, whatever it is shown") {
   const std::map<std::string, Settings> needed{{"place_reached", {{"robot", "r1"}}},
                                                {"formation_error", {{"leader", "r1"}}},
-                                               {"published", {{"number", "explore.known"}}}};
+                                               {"published", {{"number", "explore.known"}}},
+                                               {"reward", {{"of", "collected - collisions"}}}};
   const auto all = testing::Plugins::found().host().all(PluginKind::measure);
-  CHECK(all.size() == 14);
+  CHECK(all.size() == 15);
   for (const Declaration* measure : all) {
     CAPTURE(measure->name);
     testing::CheckOptions options;
