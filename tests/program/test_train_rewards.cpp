@@ -154,8 +154,8 @@ TEST_CASE("What cannot be trained from rewards is refused, and nothing is writte
   here.write("edited.xml", [] {
     std::string world = small_world();
     return world.insert(world.find("<measures>"),
-                        "<edits><edit time='1' path='robot[r1]/coordinator' "
-                        "element=\"&lt;arbiter_suppression/&gt;\"/></edits>");
+                        "<changes><change time='1' path='robot[r1]/coordinator'>"
+                        "<arbiter_suppression/></change></changes>");
   }());
   const std::vector<std::pair<std::string, std::string>> wrong = {
       {"without.xml --robot r1",
@@ -163,6 +163,7 @@ TEST_CASE("What cannot be trained from rewards is refused, and nothing is writte
        "it; add one to <measures>, such as <reward robot=\"r1\""},
       {"w.xml --robot r1", "with method=\"w\" rewards compete, and its robot has only one"},
       {"small.xml --robot r2", "the robot 'r2' has no coordinator"},
+      {"edited.xml --robot r1", "an edit in the run put another one in its place"},
       {"small.xml --robot r1 --hidden 3",
        "--hidden: the coordinator 'arbiter_learning' has no network: it learns from rewards"},
       {"small.xml --robot r1 --learning-rate 0.3", "--learning-rate: the coordinator"},

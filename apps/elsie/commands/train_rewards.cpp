@@ -49,9 +49,13 @@ class EpisodeWorld {
     simulation_->reset(seed);
     return *simulation_;
   }
+  /// Throws std::logic_error when an edit of the world put another coordinator in its place.
   learning::RewardLearner& learner() {
     const FoundCoordinator place = find_coordinator(simulation_->world(), options_.place);
-    return dynamic_cast<learning::RewardLearner&>(simulation_->object(place.robot, *place.use));
+    auto* const learner =
+        dynamic_cast<learning::RewardLearner*>(&simulation_->object(place.robot, *place.use));
+    if (!learner) throw std::logic_error("an edit in the run put another one in its place");
+    return *learner;
   }
 
  private:
