@@ -1,5 +1,7 @@
 #include <nlohmann/json.hpp>
 
+#include "elsie/traces/graph_account.h"
+
 #include "explain_report.h"
 
 namespace elsie::program {
@@ -97,6 +99,26 @@ Json published(const traces::TraceNumber& number, const NumberAccount& account) 
           {"last", if_any(account.last)}};
 }
 
+Json lit_graph(const traces::TraceGraph& graph, const traces::TimeSpan& there) {
+  Json nodes = Json::array();
+  const std::vector<traces::NodeAccount> accounts = traces::account(graph, there);
+  for (std::size_t i = 0; i < accounts.size(); ++i) {
+    const Graph::Node& node = graph.graph.nodes[i];
+    nodes.push_back(
+        {{"label", node.label}, {"within", node.within >= 0 ? Json(node.within) : Json(nullptr)}});
+    for (const auto& [name, lit] : {std::pair("running", accounts[i].running),
+                                    {"success", accounts[i].success},
+                                    {"failure", accounts[i].failure}}) {
+      nodes.back()[name] = {{"time_s", tidy(lit.time_s)}, {"times", lit.times}};
+    }
+  }
+  return {{"path", graph.path},
+          {"plugin", graph.plugin},
+          {"from_s", tidy(there.from_s)},
+          {"to_s", tidy(there.to_s)},
+          {"nodes", std::move(nodes)}};
+}
+
 }  // namespace
 
 std::string json(const Trace& trace, const traces::TimeSpan& span,
@@ -126,6 +148,10 @@ std::string json(const Trace& trace, const traces::TimeSpan& span,
     entry["numbers"] = Json::array();
     for (const auto& number : robot.numbers) {
       entry["numbers"].push_back(published(number, account(number, explained.account.span)));
+    }
+    for (const traces::TraceGraph& graph : robot.graphs) {
+      const traces::TimeSpan there = presence(graph, explained.account.span);
+      if (there.from_s < there.to_s) entry["graphs"].push_back(lit_graph(graph, there));
     }
     for (const traces::TraceActuator& actuator : robot.actuators) {
       Json by = Json::array();

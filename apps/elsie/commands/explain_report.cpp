@@ -333,7 +333,8 @@ std::string report(const Trace& trace, const ExplainedRobot& explained, std::siz
       out += seconds(time_s) + " s (" + per_cent(time_s, own.asked_s) + "): " + what + '\n';
     }
   }
-  out += inhibitions(explained) + numbers(explained) + acts(explained) + events(explained);
+  out += inhibitions(explained) + graphs(explained) + numbers(explained) + acts(explained) +
+         events(explained);
   for (const CoordinatorAccount& coordinator : account.coordinators) {
     out += episodes(trace, robot, coordinator, most_episodes);
   }

@@ -40,6 +40,11 @@ std::vector<Commander> commanders(const traces::TraceActuator& actuator,
 /// The actuators of a robot and what they heard, in words; empty if it has none.
 std::string acts(const ExplainedRobot& explained);
 
+/// The part of a time during which the recording has a graph.
+traces::TimeSpan presence(const traces::TraceGraph& graph, const traces::TimeSpan& span);
+/// Where the robot's coordinators were in their graphs, in words; empty if none shows one.
+std::string graphs(const ExplainedRobot& explained);
+
 /// "12.30"
 std::string seconds(double time_s);
 /// "38.2 %"

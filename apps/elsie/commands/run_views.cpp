@@ -12,12 +12,11 @@
 
 #include "elsie/base/number_text.h"
 #include "elsie/files/outputs.h"
-#include "elsie/files/write_whole.h"
-#include "elsie/picture/graph_picture.h"
 #include "elsie/recording/formats.h"
 #include "elsie/traces/tracks.h"
 
 #include "command.h"
+#include "graph_file.h"
 #include "image_saver.h"
 #include "make_views.h"
 #include "output_files.h"
@@ -49,14 +48,7 @@ class Views final : public RunViews {
  public:
   explicit Views(ViewOptions options) : options_(std::move(options)) {
     check(options_.record);
-    if (options_.graph) {
-      const std::size_t equals = options_.graph->find('=');
-      if (equals == 0) throw BadInput("--graph " + *options_.graph + ": the robot's id is missing");
-      if (equals != std::string::npos) graph_robot_ = options_.graph->substr(0, equals);
-      graph_file_ = options_.graph->substr(equals == std::string::npos ? 0 : equals + 1);
-      require_picture(graph_file_, "--graph");
-      graph_file_ = std::filesystem::absolute(graph_file_);
-    }
+    if (options_.graph) graph_.emplace(*options_.graph);
     files::require_apart(outputs(), {});
     if (options_.picture) {
       require_picture(*options_.picture, "--picture");
@@ -74,7 +66,7 @@ class Views final : public RunViews {
     if (options_.record.images) {
       require_cameras(simulation, "--record-images");
     }
-    if (options_.graph) find_graph(simulation);
+    if (graph_) find_graph(simulation);
     options_.paths.check(simulation.world());
     const RecordOptions& record = options_.record;
     require_robots(simulation.world(), record.robots, "--record-robots");
@@ -107,33 +99,37 @@ class Views final : public RunViews {
       program::draw(simulation, tracks_, {line}, *options_.picture, options_.picture_width,
                     options_.paths.choice());
     }
-    if (options_.graph) draw_graph(simulation, line);
+    if (graph_) draw_graph(simulation, line);
   }
 
  private:
   /// The robot whose graph is drawn. Throws BadInput if it has none.
   std::size_t find_graph(const simulation::Simulation& simulation) const {
-    constexpr const char* kWho =
-        "; coordinators such as arbiter_states and arbiter_tree show what they are made of";
+    const std::string& chosen = graph_->robot();
     for (std::size_t i = 0; i < simulation.robots(); ++i) {
       const std::string& id = simulation.robot(i).description->id;
-      if (!graph_robot_.empty() && id != graph_robot_) continue;
+      if (!chosen.empty() && id != chosen) continue;
       if (!simulation.graphs(i).empty()) return i;
-      if (!graph_robot_.empty()) {
-        throw BadInput("--graph: no coordinator of the robot '" + id + "' shows a graph" + kWho);
+      if (!chosen.empty()) {
+        throw BadInput("--graph: no coordinator of the robot '" + id + "' shows a graph" +
+                       kWhoHasGraphs);
       }
     }
-    if (!graph_robot_.empty()) require_robots(simulation.world(), {graph_robot_}, "--graph");
-    throw BadInput(std::string("--graph: no coordinator in this world shows a graph") + kWho);
+    if (!chosen.empty()) require_robots(simulation.world(), {chosen}, "--graph");
+    throw BadInput(std::string("--graph: no coordinator in this world shows a graph") +
+                   kWhoHasGraphs);
   }
 
   void draw_graph(const simulation::Simulation& simulation, const std::string& line) const {
     // An edit may have removed the robot, or its coordinator.
     const std::size_t robot = find_graph(simulation);
-    const std::string title = simulation.robot(robot).description->id + ": " + line;
-    const std::string format = graph_file_.extension().string().substr(1);
-    files::write_whole_or_throw(graph_file_,
-                                picture::draw_graphs(simulation.graphs(robot), title, format));
+    std::vector<picture::NamedGraph> graphs;
+    picture::GraphLights lights;
+    for (simulation::LitGraph& lit : simulation.graphs(robot)) {
+      graphs.push_back({std::move(lit.path), std::move(lit.graph)});
+      lights.push_back(std::move(lit.lights));
+    }
+    graph_->save(graphs, lights, simulation.robot(robot).description->id, line);
   }
 
   void warn_of_rate(double step_s) const {
@@ -153,7 +149,7 @@ class Views final : public RunViews {
     if (options_.picture) {
       all.push_back({"--picture", *options_.picture});
     }
-    if (options_.graph) all.push_back({"--graph", graph_file_});
+    if (graph_) all.push_back({"--graph", graph_->file()});
     return all;
   }
   void add(std::unique_ptr<simulation::Observer> observer) {
@@ -162,8 +158,7 @@ class Views final : public RunViews {
   }
 
   ViewOptions options_;
-  std::string graph_robot_;  // "": the first that has a graph
-  std::filesystem::path graph_file_;
+  std::optional<GraphFile> graph_;
   std::vector<std::unique_ptr<simulation::Observer>> owned_;
   std::vector<simulation::Observer*> observers_;
   const traces::TrackRecorder* tracks_ = nullptr;

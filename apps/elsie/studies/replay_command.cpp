@@ -99,8 +99,9 @@ int replay_matching(const CLI::App& command, const ReplayOptions& options) {
     throw BadInput("--where chooses runs, and a number names one; expected one of the two");
   }
   refuse(command, kForRecordings, "only a recording can be drawn as it was at another time");
-  if (options.views.picture || options.world || options.json) {
+  if (options.views.picture || options.views.graph || options.world || options.json) {
     throw BadInput(std::string(options.views.picture ? "--picture"
+                               : options.views.graph ? "--graph"
                                : options.world       ? "--world"
                                                      : "--json") +
                    " is for one run; expected its number instead of --where");
@@ -166,9 +167,14 @@ void add_replay_command(CLI::App& program, Job& job) {
       ->check(whole_number(200, 8000))
       ->capture_default_str();
   command
+      ->add_option("--graph", options->views.graph,
+                   "Draw the states or the tree of a robot's coordinators at the end of the run, "
+                   "with those that are running in colour; by default of the first robot that has "
+                   "such a coordinator")
+      ->type_name("[ROBOT=]FILE.png|FILE.svg");
+  command
       ->add_option("--at", options->at,
                    "Draw the state at this simulated time (s) instead of the end")
-      ->needs(picture)
       ->check(non_negative_number())
       ->group(kForRecordings);
   command

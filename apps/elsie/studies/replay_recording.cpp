@@ -14,6 +14,7 @@
 
 #include "command.h"
 #include "environment.h"
+#include "graph_file.h"
 #include "output_files.h"
 #include "replay.h"
 #include "run_report.h"
@@ -84,6 +85,33 @@ std::string report(const RecordedRun& run) {
   return out + '\n' + process::laid_out(rows, kTextColumns);
 }
 
+/// What a picture says below or beside its title.
+std::string line_of(const RecordedRun& run, const ReplayOptions& options) {
+  return (options.at ? "at " + base::number_text(run.shown_s, 6) + " s" : ending(run)) + "  (" +
+         seed_of(run) + ")";
+}
+
+void require_time(const RecordedRun& run, const ReplayOptions& options) {
+  constexpr double kHair = 1e-9;  // s
+  if (options.at && *options.at > run.end_s + kHair) {
+    throw BadInput("--at: the recording ends at " + base::number_text(run.end_s, 6) + " s");
+  }
+}
+
+void draw_graph(const RecordedRun& run, const ReplayOptions& options, const GraphFile& to) {
+  require_time(run, options);
+  for (const picture::RobotTrack& robot : run.robots) {
+    const auto shown = run.graphs.find(robot.id);
+    if (!to.robot().empty() && robot.id != to.robot()) continue;
+    if (shown != run.graphs.end() && !shown->second.graphs.empty()) {
+      return to.save(shown->second.graphs, shown->second.lights, robot.id, line_of(run, options));
+    }
+  }
+  throw BadInput("--graph: the recording has no graph of " +
+                 (to.robot().empty() ? "a robot" : "the robot '" + to.robot() + "'") +
+                 kWhoHasGraphs);
+}
+
 void draw(const RecordedRun& run, const ReplayOptions& options) {
   if (run.world_xml.empty() && run.messages == 0 && !run.missing_end.empty()) {
     throw BadInput("--picture: '" + options.file +
@@ -94,16 +122,10 @@ void draw(const RecordedRun& run, const ReplayOptions& options) {
     throw BadInput("--picture: there is no world in '" + options.file +
                    "'; expected a recording that `elsie run --record FILE.mcap` made");
   }
-  constexpr double kHair = 1e-9;  // s
-  if (options.at && *options.at > run.end_s + kHair) {
-    throw BadInput("--at: the recording ends at " + base::number_text(run.end_s, 6) + " s");
-  }
-  const std::string line =
-      (options.at ? "at " + base::number_text(run.shown_s, 6) + " s" : ending(run)) + "  (" +
-      seed_of(run) + ")";
+  require_time(run, options);
   const bool has_drives = run.world_xml.find("<drive>") != std::string::npos;
   const plugin::Host drives = has_drives ? load_plugins(options.plugins) : plugin::Host();
-  recording::save_picture(run, drives, {line}, *options.views.picture,
+  recording::save_picture(run, drives, {line_of(run, options)}, *options.views.picture,
                           {options.views.picture_width, 0});
 }
 
@@ -151,10 +173,20 @@ StartWorld write_world(const RecordedRun& run, const ReplayOptions& options) {
 }  // namespace
 
 int replay_recording(const ReplayOptions& options) {
-  if (options.views.picture) {
-    files::require_apart({{"--picture", *options.views.picture}}, {options.file});
-    require_picture(*options.views.picture, "--picture");
+  if (options.at && !options.views.picture && !options.views.graph) {
+    throw BadInput("--at: there is nothing to draw; expected --picture or --graph, too");
   }
+  std::vector<files::Output> outputs;
+  if (options.views.picture) {
+    require_picture(*options.views.picture, "--picture");
+    outputs.push_back({"--picture", *options.views.picture});
+  }
+  std::optional<GraphFile> graph;
+  if (options.views.graph) {
+    graph.emplace(*options.views.graph);
+    outputs.push_back({"--graph", graph->file()});
+  }
+  files::require_apart(outputs, {options.file});
   if (options.world) {
     require_new_world(*options.world);
   }
@@ -162,6 +194,7 @@ int replay_recording(const ReplayOptions& options) {
   if (options.views.picture) {
     draw(run, options);
   }
+  if (graph) draw_graph(run, options, *graph);
   std::optional<StartWorld> written;
   if (options.world) written = write_world(run, options);
   if (options.json) {

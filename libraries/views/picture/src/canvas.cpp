@@ -151,6 +151,14 @@ Canvas& Canvas::line_to(const Vector2& to) {
   return *this;
 }
 
+Canvas& Canvas::curve_to(const Vector2& first, const Vector2& second, const Vector2& to) {
+  if (finite(first) && finite(second) && finite(to)) {
+    cairo_curve_to(impl_->cr, near(first.x), near(first.y), near(second.x), near(second.y),
+                   near(to.x), near(to.y));
+  }
+  return *this;
+}
+
 Canvas& Canvas::close() {
   cairo_close_path(impl_->cr);
   return *this;

@@ -73,6 +73,8 @@ class Canvas {
   // The current path. fill() and stroke() consume it.
   Canvas& move_to(const Vector2& to);
   Canvas& line_to(const Vector2& to);
+  /// A cubic Bezier curve.
+  Canvas& curve_to(const Vector2& first, const Vector2& second, const Vector2& to);
   Canvas& close();
   Canvas& line(const Vector2& from, const Vector2& to) { return move_to(from).line_to(to); }
   Canvas& polyline(std::span<const Vector2> points);

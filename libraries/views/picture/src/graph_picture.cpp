@@ -1,154 +1,133 @@
 #include "elsie/picture/graph_picture.h"
 
-#include <memory>
-#include <optional>
-
-#include <graphviz/cgraph.h>
-#include <graphviz/gvc.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "elsie/base/error.h"
+
+#include "canvas.h"
+#include "graph_inks.h"
 
 namespace elsie::picture {
 namespace {
 
-using simulation::LitGraph;
+constexpr double kNodeText = 12.0, kEdgeText = 10.0;
+constexpr double kRounding = 6.0;  // radius of corners
 
-constexpr const char* kGraphFont = "DejaVu Sans";
+constexpr Ink kArrowInk = hex(0x606060, "muted");
 
-const char* fill_of(NodeState state) {
-  switch (state) {
-    case NodeState::running:
-      return "#ffd966";
-    case NodeState::success:
-      return "#b6d7a8";
-    case NodeState::failure:
-      return "#f4b6ae";
-    case NodeState::dark:
-      break;
-  }
-  return "#fafafa";
+const char* words_of(NodeState state) {
+  constexpr std::array kWords{"", ": running", ": success", ": failure"};
+  return kWords[static_cast<std::size_t>(state)];
 }
 
-/// Words as they are: Graphviz takes a backslash for an escape.
-std::string literal(const std::string& words) {
-  std::string text;
-  for (const char c : words) text += c == '\\' ? std::string("\\\\") : std::string(1, c);
-  return text;
+void trace_rounded(Canvas& canvas, const Vector2& from, const Vector2& to) {
+  constexpr double kCircle = 0.5523;  // of the radius: a cubic curve that is nearly a quarter of it
+  const double r = std::min({kRounding, (to.x - from.x) / 2, (to.y - from.y) / 2});
+  const double near = r * (1.0 - kCircle);
+  canvas.line({from.x + r, from.y}, {to.x - r, from.y});
+  canvas.curve_to({to.x - near, from.y}, {to.x, from.y + near}, {to.x, from.y + r});
+  canvas.line_to({to.x, to.y - r});
+  canvas.curve_to({to.x, to.y - near}, {to.x - near, to.y}, {to.x - r, to.y});
+  canvas.line_to({from.x + r, to.y});
+  canvas.curve_to({from.x + near, to.y}, {from.x, to.y - near}, {from.x, to.y - r});
+  canvas.line_to({from.x, from.y + r});
+  canvas.curve_to({from.x, from.y + near}, {from.x + near, from.y}, {from.x + r, from.y});
+  canvas.close();
 }
 
-// Graphviz takes texts that it does not change as char*.
-char* text(const std::string& words) { return const_cast<char*>(words.c_str()); }
-void set(void* object, const char* name, const std::string& value) {
-  agsafeset(object, const_cast<char*>(name), text(value), const_cast<char*>(""));
+/// In the upper right corner: a tick or a cross, for who cannot tell the colours.
+void draw_mark(Canvas& canvas, const GraphLayout::Box& box, NodeState state) {
+  const double right = box.to.x - 3.5, top = box.from.y + 3.5;
+  constexpr double kSize = 5.0;
+  if (state == NodeState::success) {
+    canvas.line({right - kSize, top + 0.6 * kSize}, {right - 0.6 * kSize, top + kSize});
+    canvas.line_to({right, top});
+  } else {
+    canvas.line({right - kSize, top}, {right, top + kSize});
+    canvas.line({right - kSize, top + kSize}, {right, top});
+  }
+  canvas.stroke(kText, {.width = 1.2});
 }
 
-/// Draws one graph. Nodes that hold others are frames, which no edge can reach: it ends at a node
-/// inside, and is cut off at the frame.
-class Drawing {
- public:
-  Drawing(const LitGraph& lit, Agraph_t* page, std::size_t number)
-      : lit_(lit), prefix_(std::to_string(number) + "."), holds_(lit.graph.nodes.size()) {
-    for (const Graph::Node& node : lit.graph.nodes) {
-      if (node.within >= 0) holds_[static_cast<std::size_t>(node.within)] = true;
-    }
-    frames_.resize(lit.graph.nodes.size());
-    nodes_.resize(lit.graph.nodes.size());
-    for (std::size_t i = 0; i < lit.graph.nodes.size(); ++i) add_node(i, page);
-    for (const Graph::Edge& edge : lit.graph.edges) add_edge(edge, page);
+void draw_box(Canvas& canvas, const GraphLayout::Box& box, NodeState state) {
+  canvas.open_mark(box.label.text + words_of(state));
+  trace_rounded(canvas, box.from, box.to);
+  canvas.fill_keep(node_ink(state, box.is_frame));
+  const bool is_running = state == NodeState::running && !box.is_frame;
+  canvas.stroke(kText, {.width = is_running ? 2.5 : 1.0});
+  const bool is_done = state == NodeState::success || state == NodeState::failure;
+  if (is_done) draw_mark(canvas, box, state);
+  canvas.text(box.label.text, box.label.at,
+              {.size = kNodeText, .across = Across::centre, .down = Down::middle});
+  canvas.close_mark();
+}
+
+void draw_arrow(Canvas& canvas, const GraphLayout::Arrow& arrow) {
+  const auto& curve = arrow.curve;
+  canvas.move_to(curve.front());
+  for (std::size_t i = 1; i + 2 < curve.size(); i += 3) {
+    canvas.curve_to(curve[i], curve[i + 1], curve[i + 2]);
   }
-
- private:
-  void add_node(std::size_t i, Agraph_t* page) {
-    const Graph::Node& node = lit_.graph.nodes[i];
-    Agraph_t* const around =
-        node.within < 0 ? page : frames_[static_cast<std::size_t>(node.within)];
-    if (holds_[i]) {
-      frames_[i] = agsubg(around, text("cluster" + prefix_ + std::to_string(i)), 1);
-      set(frames_[i], "label", literal(node.label));
-      set(frames_[i], "style", "rounded,filled");
-      set(frames_[i], "fillcolor", lit_.lights[i] == NodeState::dark ? "#f2f2f2" : "#fff4d1");
-      return;
-    }
-    nodes_[i] = agnode(around, text(prefix_ + std::to_string(i)), 1);
-    set(nodes_[i], "label", literal(node.label));
-    set(nodes_[i], "fillcolor", fill_of(lit_.lights[i]));
-    set(nodes_[i], "penwidth", lit_.lights[i] == NodeState::running ? "2.5" : "1");
+  canvas.stroke(kArrowInk, {.width = 1.0});
+  const Vector2 end = curve.back();
+  const double length = std::hypot(arrow.tip.x - end.x, arrow.tip.y - end.y);
+  if (length > 0.0) {
+    constexpr double kHalf = 3.5;  // of the width
+    const Vector2 aside{kHalf * (arrow.tip.y - end.y) / length,
+                        kHalf * (end.x - arrow.tip.x) / length};
+    canvas.polygon(std::vector<Vector2>{
+        arrow.tip, {end.x + aside.x, end.y + aside.y}, {end.x - aside.x, end.y - aside.y}});
+    canvas.fill(kArrowInk);
   }
-
-  /// The first node in a frame, or the node itself.
-  std::size_t representative(std::size_t i) const {
-    while (holds_[i]) {
-      std::size_t inner = i + 1;
-      while (lit_.graph.nodes[inner].within != static_cast<int>(i)) ++inner;
-      i = inner;
-    }
-    return i;
+  if (!arrow.label.text.empty()) {
+    canvas.text(arrow.label.text, arrow.label.at,
+                {.size = kEdgeText, .across = Across::centre, .down = Down::middle});
   }
+}
 
-  void add_edge(const Graph::Edge& edge, Agraph_t* page) {
-    Agedge_t* const made = agedge(page, nodes_[representative(edge.from)],
-                                  nodes_[representative(edge.to)], nullptr, 1);
-    set(made, "label", edge.label.empty() ? "" : " " + literal(edge.label) + " ");
-    if (holds_[edge.from]) set(made, "ltail", "cluster" + prefix_ + std::to_string(edge.from));
-    if (holds_[edge.to]) set(made, "lhead", "cluster" + prefix_ + std::to_string(edge.to));
+void draw(Canvas& canvas, GraphLayout layout, const GraphLights& lights, const Vector2& by) {
+  const auto shift = [&](Vector2& point) { point = {point.x + by.x, point.y + by.y}; };
+  for (GraphLayout::Box& box : layout.boxes) {
+    shift(box.from), shift(box.to), shift(box.label.at);
+    draw_box(canvas, box, box.node ? lights.at(box.graph).at(*box.node) : NodeState::dark);
   }
-
-  const LitGraph& lit_;
-  std::string prefix_;
-  std::vector<bool> holds_;
-  std::vector<Agraph_t*> frames_;
-  std::vector<Agnode_t*> nodes_;
-};
-
-void set_defaults(Agraph_t* page, const std::string& title) {
-  const auto by_default = [page](int kind, const char* name, const std::string& value) {
-    agattr(page, kind, const_cast<char*>(name), text(value));
-  };
-  by_default(AGRAPH, "label", literal(title));
-  by_default(AGRAPH, "labelloc", "t");
-  by_default(AGRAPH, "compound", "true");
-  by_default(AGRAPH, "fontname", kGraphFont);
-  by_default(AGRAPH, "bgcolor", "white");
-  by_default(AGRAPH, "dpi", "144");
-  by_default(AGRAPH, "ranksep", "0.6");
-  by_default(AGNODE, "shape", "box");
-  by_default(AGNODE, "style", "rounded,filled");
-  by_default(AGNODE, "fontname", kGraphFont);
-  by_default(AGNODE, "fontsize", "12");
-  by_default(AGEDGE, "fontname", kGraphFont);
-  by_default(AGEDGE, "fontsize", "10");
-  by_default(AGEDGE, "color", "#606060");
+  for (GraphLayout::Arrow& arrow : layout.arrows) {
+    std::for_each(arrow.curve.begin(), arrow.curve.end(), shift);
+    shift(arrow.tip), shift(arrow.label.at);
+    draw_arrow(canvas, arrow);
+  }
 }
 
 }  // namespace
 
-std::string draw_graphs(const std::vector<LitGraph>& graphs, const std::string& title,
-                        const std::string& format) {
-  // One for the life of the process: Graphviz' plugin for texts keeps names of fonts that belong to
-  // the first one, and reads them again after that is freed (seen in 2.43).
-  static GVC_t* const context = gvContext();
-  const std::unique_ptr<Agraph_t, int (*)(Agraph_t*)> page(
-      agopen(text("coordinators"), Agdirected, nullptr), agclose);
-  set_defaults(page.get(), title);
-  for (std::size_t i = 0; i < graphs.size(); ++i) {
-    Agraph_t* around = page.get();
-    if (graphs.size() > 1) {
-      around = agsubg(around, text("cluster" + std::to_string(i)), 1);
-      set(around, "label", literal(graphs[i].path));
-    }
-    Drawing(graphs[i], around, i);
+std::string draw_graphs(const GraphLayout& layout, const GraphLights& lights,
+                        const std::string& title, const std::string& format) {
+  const bool is_png = format == "png";
+  if (!is_png && format != "svg") {
+    throw base::Error("a graph cannot be drawn as " + format + "; expected svg or png");
   }
-  char* data = nullptr;
-  unsigned int length = 0;
-  std::string content;
-  const bool is_laid_out = gvLayout(context, page.get(), "dot") == 0;
-  if (is_laid_out && gvRenderData(context, page.get(), format.c_str(), &data, &length) == 0) {
-    content.assign(data, length);
-    gvFreeRenderData(data);
-  }
-  if (is_laid_out) gvFreeLayout(context, page.get());
-  if (content.empty()) throw base::Error("Graphviz cannot draw this graph as " + format);
-  return content;
+  constexpr double kMostPixels = 16000.0, kMargin = 10.0, kTitle = 15.0;
+  const TextStyle style{.size = kTitle, .bold = true, .down = Down::top};
+  const Canvas ruler(FileType::png, 1, 1, 1.0);
+  const double across = std::max(layout.width, ruler.text_width(title, style));
+  const double width = across + 2 * kMargin;
+  const double height = layout.height + 3 * kMargin + kTitle;
+  const double zoom = std::min(is_png ? 2.0 : 1.25, kMostPixels / std::max(width, height));
+  Canvas canvas(is_png ? FileType::png : FileType::svg, static_cast<int>(std::ceil(width * zoom)),
+                static_cast<int>(std::ceil(height * zoom)), zoom);
+  canvas.text(title, {kMargin, kMargin}, style);
+  draw(canvas, layout, lights, {kMargin + (across - layout.width) / 2, 2 * kMargin + kTitle});
+  return canvas.finish();
+}
+
+std::vector<std::uint32_t> screen_graphs(const GraphLayout& layout, const GraphLights& lights,
+                                         const Vector2& from, int width, int height, double zoom,
+                                         const Style& style) {
+  Canvas canvas(FileType::png, width, height, zoom, style);
+  draw(canvas, layout, lights, {-from.x, -from.y});
+  return canvas.pixels();
 }
 
 }  // namespace elsie::picture

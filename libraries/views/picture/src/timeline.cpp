@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "file.h"
+#include "graph_inks.h"
 #include "legend.h"
 #include "text.h"
 #include "timeline_parts.h"
@@ -64,6 +65,7 @@ class Sheet {
       const TraceRobot& robot = timeline.trace.robots[r];
       accounts_.push_back(traces::account(robot, span_));
       kinds_[&robot] = event_kinds(robot, span_);
+      if (in_full_) graphs_[&robot] = graph_rows(robot, span_);
     }
     if (!(span_.from_s < span_.to_s)) span_.to_s = span_.from_s + timeline.trace.period_s;
     natural_ = in_full_ ? Heights{104.0, 74.0, 30.0, 44.0} : Heights{56.0, 0.0, 0.0, 0.0};
@@ -86,6 +88,7 @@ class Sheet {
       if (in_full_) {
         height += kGap + kLaneHead +
                   kLaneGap * static_cast<double>(robot.members.size() + robot.numbers.size());
+        for (const GraphRows& graph : graphs_.at(&robot)) height += graph.height();
       }
     }
     return height;
@@ -163,6 +166,13 @@ class Sheet {
         if (!in_full_) break;
         widest = std::max(widest, canvas.text_width(name_of(number), {.size = kTick}));
       }
+      if (!in_full_) continue;
+      for (const GraphRows& graph : graphs_.at(&robot)) {
+        for (const GraphRows::Row& row : graph.rows) {
+          const std::string& label = graph.graph->graph.nodes[row.node].label;
+          widest = std::max(widest, row.indent + canvas.text_width(label, {.size = kTick}));
+        }
+      }
     }
     return std::round((kPageMargin + std::min(widest, 0.25 * width_) + 12.0) * zoom_) / zoom_;
   }
@@ -205,6 +215,10 @@ class Sheet {
       }
       for (const traces::TraceNumber& number : robot.numbers) {
         draw_number(canvas, block, number, panel(heights.number, kLaneGap));
+      }
+      for (const GraphRows& graph : graphs_.at(&robot)) {
+        draw_graph(canvas, block, graph, y);
+        y += graph.height();
       }
     }
     draw_events(canvas, block, kinds_of(robot), symbols_, in_rows(robot), events_at, kKindRow, y);
@@ -250,6 +264,11 @@ class Sheet {
                            canvas.rectangle(area).stroke(kFrame, {.width = 0.8});
                          }});
     }
+    for (const auto& [words, state] : {std::pair("running", NodeState::running),
+                                       {"success", NodeState::success},
+                                       {"failure", NodeState::failure}}) {
+      if (was_lit(state)) entries.push_back({words, kSymbol, swatch(node_ink(state))});
+    }
     // Rows have the names of their events next to them.
     std::set<std::string> unnamed;
     for (const auto& [robot, kinds] : kinds_) {
@@ -263,6 +282,19 @@ class Sheet {
                          }});
     }
     return entries;
+  }
+
+  bool was_lit(NodeState state) const {
+    for (const auto& [robot, graphs] : graphs_) {
+      for (const GraphRows& shown : graphs) {
+        for (const traces::TraceGraph::Lights& lights : shown.graph->lights) {
+          if (std::find(lights.nodes.begin(), lights.nodes.end(), state) != lights.nodes.end()) {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
   }
 
   void add_behaviors(std::vector<LegendEntry>& entries) const {
@@ -291,6 +323,7 @@ class Sheet {
   TimeSpan span_;
   std::vector<RobotAccount> accounts_;  // parallel to the robots
   std::map<const TraceRobot*, std::vector<EventKind>> kinds_;
+  std::map<const TraceRobot*, std::vector<GraphRows>> graphs_;
   BehaviorInks inks_;
   EventSymbols symbols_;
   double zoom_, width_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "elsie/picture/timeline.h"
+#include "elsie/traces/graph_account.h"
 
 #include "canvas.h"
 #include "panel.h"
@@ -103,6 +104,26 @@ std::string name_of(const traces::TraceNumber& number);
 /// A published number over time.
 void draw_number(Canvas& canvas, const TimelineBlock& block, const traces::TraceNumber& number,
                  const Rect& area);
+
+/// The nodes of a coordinator's graph that were lit in a span: a row for each, or for those that
+/// were running the longest.
+struct GraphRows {
+  struct Row {
+    std::size_t node;
+    double indent;  // of its name, units
+    double running_s;
+  };
+  const traces::TraceGraph* graph;
+  std::vector<Row> rows;  // in the order of the graph
+  std::size_t lit;        // the number of nodes that were
+
+  double height() const;
+};
+inline constexpr double kGraphHead = 18.0, kGraphRow = 15.0;  // heights
+/// Those of a robot that were lit.
+std::vector<GraphRows> graph_rows(const traces::TraceRobot& robot, const traces::TimeSpan& span);
+void draw_graph(Canvas& canvas, const TimelineBlock& block, const GraphRows& shown, double y);
+
 /// The meaning of the numbers left of the lanes, on the line `y`.
 void draw_lane_head(Canvas& canvas, const TimelineBlock& block, double y);
 /// Marks the current path as silenced.

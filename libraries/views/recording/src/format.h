@@ -33,6 +33,8 @@ constexpr const char* kBeliefKind = "belief";
 constexpr const char* kPublishedKind = "published";
 constexpr const char* kReadingsKind = "readings";
 constexpr const char* kHeardKind = "heard";
+constexpr const char* kGraphsKind = "graphs";
+constexpr const char* kLightsKind = "lights";
 constexpr const char* kPublishedNumbers =
     "numbers";  // its metadata: the numbers and their units, as JSON
 

@@ -60,6 +60,7 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     write_world(simulation);
     write_scene(simulation);
     write_events(simulation);
+    find_graphs(simulation);
     remember_who_sees(simulation);
     sample(simulation, false);
   }
@@ -71,6 +72,9 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
       new_pictures_ = true;
       write_traces(simulation);
       write_heard(simulation);
+      for (RobotChannels& channels : robots_) {
+        if (channels.graph_news.has_graphs()) write_graphs(simulation, channels, decided_ns_);
+      }
     }
     write_events(simulation);
     if (has_other_boxes(simulation)) write_scene(simulation);
@@ -88,6 +92,7 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     write_world(simulation);
     write_scene(simulation);
     write_events(simulation);
+    find_graphs(simulation);
     remember_who_sees(simulation);
   }
 
@@ -330,20 +335,46 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     }
   }
 
+  /// Whose coordinators have any is asked at the start and after edits, not in each decision.
+  void find_graphs(const Simulation& simulation) {
+    for (RobotChannels& channels : robots_) write_graphs(simulation, channels, now(simulation));
+  }
+
+  void write_graphs(const Simulation& simulation, RobotChannels& channels, std::uint64_t time_ns) {
+    const auto [graphs, lights] = channels.graph_news.take(
+        shown("graphs", [&] { return simulation.graphs(channels.place); }), time_ns);
+    const auto put = [&](std::optional<std::uint16_t>& to, const char* kind, const char* schema,
+                         const std::optional<Json>& message) {
+      if (!message) return;
+      if (!to) {
+        to = channels_.add(*simulation.robot(channels.place).description, kind,
+                           channels_.schema(schema));
+      }
+      write(*to, time_ns, *message);
+    };
+    put(channels.graphs, kGraphsKind, "elsie.Graphs", graphs);
+    put(channels.lights, kLightsKind, "elsie.Lights", lights);
+  }
+
+  /// What plugins show; nothing when one fails, which is said once.
+  template <class List>
+  auto shown(const char* what, const List& list) -> decltype(list()) {
+    try {
+      return list();
+    } catch (const simulation::PluginFault& fault) {
+      if (!options_.warn) throw;
+      if (lacking_.insert(what).second) {
+        options_.warn(std::string("the recording lacks ") + what + ": " + fault.what());
+      }
+      return {};
+    }
+  }
+
   /// `robot`: null for measures. Plugins that have never drawn anything get no channel.
   template <class List>
   void write_sketches(std::optional<std::uint16_t>& to, const world::Robot* robot, List list,
                       std::uint64_t time_ns) {
-    std::vector<simulation::PluginSketch> sketches;
-    try {
-      sketches = list();
-    } catch (const simulation::PluginFault& fault) {
-      if (!options_.warn) throw;
-      if (!lacks_sketches_) {
-        options_.warn(std::string("the recording lacks sketches: ") + fault.what());
-      }
-      lacks_sketches_ = true;
-    }
+    const std::vector<simulation::PluginSketch> sketches = shown("sketches", list);
     if (!to && sketches.empty()) return;
     if (!to) {
       const std::uint16_t scene = channels_.schema("foxglove.SceneUpdate");
@@ -391,7 +422,7 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
   std::uint16_t world_ = 0, scene_ = 0, transforms_ = 0, events_ = 0, crowd_channel_ = 0;
   std::optional<std::uint16_t> sketches_, published_;  // of measures
   std::map<std::string, std::uint16_t> fields_;        // of the floor, by id
-  bool lacks_sketches_ = false;
+  std::set<std::string> lacking_;                      // what a plugin failed to show
   std::vector<RobotChannels> robots_;
   std::vector<std::size_t> crowd_;                       // places of the robots without channels
   std::unordered_map<std::string, std::size_t> places_;  // of all robots in the simulation

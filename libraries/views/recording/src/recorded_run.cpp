@@ -8,6 +8,7 @@
 #include "elsie/api/simulator_events.h"
 #include "elsie/picture/bodies.h"
 #include "elsie/plugin/host.h"
+#include "elsie/recording/graph_json.h"
 #include "elsie/traces/sampling.h"
 
 #include "crowd.h"
@@ -38,6 +39,10 @@ class Follower final : public Visitor {
       read_belief(track_of(robot), json());
     } else if (kind == kSketchesKind) {
       track_of(robot).sketches = sketches_of(json());
+    } else if (kind == kGraphsKind) {
+      read_graphs(run_.graphs[robot], json());
+    } else if (kind == kLightsKind) {
+      read_lights(run_.graphs[robot], json());
     } else if (channel.topic == kSketchesTopic) {
       run_.sketches = sketches_of(json());
     } else if (channel.topic == kTransformsTopic) {
@@ -81,6 +86,7 @@ class Follower final : public Visitor {
     run_.crowd = world.value("crowd", std::vector<std::string>());
     std::erase_if(run_.robots, [&](const auto& track) { return !ids_.contains(track.id); });
     std::erase_if(memory_, [&](const auto& known) { return !ids_.contains(known.first); });
+    std::erase_if(run_.graphs, [&](const auto& known) { return !ids_.contains(known.first); });
     places_.clear();
     for (std::size_t i = 0; i < run_.robots.size(); ++i) {
       places_[run_.robots[i].id] = i;
@@ -96,6 +102,25 @@ class Follower final : public Visitor {
           {{number(light, "x_m"), number(light, "y_m")},
            {light.at("red").get<std::uint8_t>(), light.at("green").get<std::uint8_t>(),
             light.at("blue").get<std::uint8_t>()}});
+    }
+  }
+
+  static void read_graphs(RecordedGraphs& shown, const Json& message) {
+    shown = {};
+    for (const Json& graph : message.at("graphs")) {
+      shown.graphs.push_back({graph.at("path").get<std::string>(), graph_of(graph)});
+      shown.lights.emplace_back(shown.graphs.back().graph.nodes.size());
+    }
+  }
+
+  static void read_lights(RecordedGraphs& shown, const Json& message) {
+    const Json& all = message.at("graphs");
+    if (all.size() != shown.graphs.size()) {
+      throw Unexpected("it is about " + std::to_string(all.size()) + " graphs; there are " +
+                       std::to_string(shown.graphs.size()));
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      shown.lights[i] = lights_of(all[i], shown.lights[i].size());
     }
   }
 

@@ -10,6 +10,7 @@
 #include "elsie/base/number_text.h"
 #include "elsie/files/clean_text.h"
 #include "elsie/files/rounded.h"
+#include "elsie/recording/graph_json.h"
 #include "elsie/recording/recorded_run.h"
 #include "elsie/traces/trace_rows.h"
 
@@ -57,6 +58,9 @@ class TraceBuilder final : public Visitor {
     }
     if (kind == kReadingsKind) readings_[channel.id] = id;
     if (kind == kHeardKind) hearers_[channel.id] = id;
+    if (kind == kGraphsKind || kind == kLightsKind) {
+      (kind == kGraphsKind ? drawn_ : lit_)[channel.id] = last_of(id);
+    }
     if (kind != kTraceKind) {
       return;
     }
@@ -117,6 +121,10 @@ class TraceBuilder final : public Visitor {
     } else if (const auto publisher = publishers_.find(channel.id);
                publisher != publishers_.end()) {
       read_numbers(trace_.robots[publisher->second], Json::parse(message.data), time_s);
+    } else if (const auto drawn = drawn_.find(channel.id); drawn != drawn_.end()) {
+      read_graphs(trace_.robots[drawn->second], Json::parse(message.data), time_s);
+    } else if (const auto lit = lit_.find(channel.id); lit != lit_.end()) {
+      read_lights(trace_.robots[lit->second], Json::parse(message.data), time_s);
     }
   }
 
@@ -133,14 +141,18 @@ class TraceBuilder final : public Visitor {
     return at->second;
   }
 
-  /// The channel of a robot's decisions comes before that of what its plugins publish.
-  void add_numbers(const mcap::Channel& channel, const std::string& id) {
+  /// The place of the robot. The channel of its decisions comes before those of its plugins.
+  std::size_t last_of(const std::string& id) const {
     const auto known = by_id_.find(id);
     if (known == by_id_.end()) {
       throw Unexpected("it is about a robot without decisions, '" + one_line(id) + "'");
     }
-    TraceRobot& robot = trace_.robots[known->second.back()];
-    publishers_[channel.id] = known->second.back();
+    return known->second.back();
+  }
+
+  void add_numbers(const mcap::Channel& channel, const std::string& id) {
+    TraceRobot& robot = trace_.robots[last_of(id)];
+    publishers_[channel.id] = last_of(id);
     for (const Json& number : Json::parse(text(channel, kPublishedNumbers))) {
       traces::TraceNumber added{number.at("path").get<std::string>(),
                                 number.at("name").get<std::string>(),
@@ -210,6 +222,35 @@ class TraceBuilder final : public Visitor {
                              one_line(heard.at("from").get<std::string>()),
                              one_line(heard.at("kind").get<std::string>()),
                              text_of(heard.at("message"))});
+    }
+  }
+
+  static void read_graphs(TraceRobot& robot, const Json& message, double time_s) {
+    std::vector<traces::TraceGraph> now;
+    for (const Json& graph : message.at("graphs")) {
+      now.push_back({one_line(graph.at("path").get<std::string>()),
+                     one_line(graph.at("plugin").get<std::string>()), graph_of(graph)});
+    }
+    const auto open = std::find_if(robot.graphs.begin(), robot.graphs.end(),
+                                   [](const auto& graph) { return std::isinf(graph.to_s); });
+    // With other sensors, a robot has other channels with the same graphs.
+    if (std::equal(
+            open, robot.graphs.end(), now.begin(), now.end(),
+            [](const auto& a, const auto& b) { return a.path == b.path && a.graph == b.graph; })) {
+      return;
+    }
+    std::for_each(open, robot.graphs.end(), [&](auto& graph) { graph.to_s = time_s; });
+    std::move(now.begin(), now.end(), std::back_inserter(robot.graphs));
+  }
+
+  static void read_lights(TraceRobot& robot, const Json& message, double time_s) {
+    const Json& all = message.at("graphs");
+    if (all.size() > robot.graphs.size())
+      throw Unexpected("it is about more graphs than there are");
+    auto graph = robot.graphs.end() - static_cast<std::ptrdiff_t>(all.size());  // the last ones
+    for (const Json& lights : all) {
+      graph->lights.push_back({time_s, lights_of(lights, graph->graph.nodes.size())});
+      ++graph;
     }
   }
 
@@ -300,11 +341,12 @@ class TraceBuilder final : public Visitor {
 
   Trace& trace_;
   double decided_s_ = -1.0;
-  std::size_t introduced_ = 0;                       // robots of the world's last message
-  std::map<std::uint16_t, std::size_t> places_;      // of robots, by the ids of their channels
-  std::map<std::uint16_t, std::string> readings_;    // ids of robots, by those of their channels
-  std::map<std::uint16_t, std::string> hearers_;     // likewise, by those of what they hear
-  std::map<std::uint16_t, std::size_t> publishers_;  // places, by those of published numbers
+  std::size_t introduced_ = 0;                     // robots of the world's last message
+  std::map<std::uint16_t, std::size_t> places_;    // of robots, by the ids of their channels
+  std::map<std::uint16_t, std::string> readings_;  // ids of robots, by those of their channels
+  std::map<std::uint16_t, std::string> hearers_;   // likewise, by those of what they hear
+  // Places of robots, by those of published numbers, of graphs, and of what is lit in these.
+  std::map<std::uint16_t, std::size_t> publishers_, drawn_, lit_;
   std::map<std::string, std::vector<std::size_t>> by_id_;  // places of robots, ascending
   std::map<std::string, std::uint32_t> reasons_{{"", 0}};
 };
@@ -341,6 +383,7 @@ traces::Trace read_trace(const std::filesystem::path& file) {
     trace.cut_off = run.missing_end;
   }
   for (TraceRobot& robot : trace.robots) {
+    for (traces::TraceGraph& graph : robot.graphs) graph.to_s = std::min(graph.to_s, robot.to_s);
     for (TraceMember& member : robot.members) {
       auto& times = member.times;
       times.mean_s = times.answers > 0

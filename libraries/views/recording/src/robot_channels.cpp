@@ -90,6 +90,8 @@ RobotChannels robot_channels(Channels& channels, const Simulation& simulation, s
                      std::nullopt,
                      std::nullopt,
                      std::nullopt,
+                     std::nullopt,
+                     std::nullopt,
                      {},
                      TraceTexts(simulation.robot(r)),
                      kind_of(simulation, r)};

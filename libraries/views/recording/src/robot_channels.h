@@ -12,6 +12,7 @@
 #include "elsie/simulation/simulation.h"
 #include "elsie/traces/trace_rows.h"
 
+#include "graph_news.h"
 #include "messages.h"
 #include "published.h"
 
@@ -47,11 +48,12 @@ struct RobotChannels {
   std::size_t place;  // in the simulation
   std::uint16_t pose, state, readings, command, trace;
   std::optional<std::uint16_t> belief, published;
-  std::optional<std::uint16_t> sketches, heard;  // each from the first on
+  std::optional<std::uint16_t> sketches, heard, graphs, lights;  // each from the first on
   std::vector<CameraChannels> cameras;
   TraceTexts texts;
   std::string kind;
   traces::TraceRows rows{};
+  GraphNews graph_news{};
 };
 
 /// The facts that determine a robot's channels.

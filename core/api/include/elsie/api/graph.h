@@ -12,15 +12,20 @@ struct Graph {
   struct Node {
     std::string label;
     int within = -1;  // index of the node around it, which comes first; -1: none
+
+    bool operator==(const Node&) const = default;
   };
   struct Edge {
     std::size_t from = 0, to = 0;  // indices of nodes
     std::string label{};
+
+    bool operator==(const Edge&) const = default;
   };
 
   std::vector<Node> nodes;
   std::vector<Edge> edges;
 
+  bool operator==(const Graph&) const = default;
   bool empty() const { return nodes.empty(); }
 };
 

@@ -1,17 +1,69 @@
-// A coordinator's states or tree as a drawing.
+// Coordinators' states or trees as drawings.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "elsie/simulation/simulation.h"
+#include "elsie/api/geometry.h"
+#include "elsie/api/graph.h"
+#include "elsie/picture/plot.h"
 
 namespace elsie::picture {
 
-/// Draws the graphs of a robot's coordinators, each in a frame if there are several, with what is
-/// running, and what has succeeded or failed, in colour. Graphviz lays them out. `format`: "svg" or
-/// "png". Returns the content of the file. Throws base::Error when Graphviz fails.
-std::string draw_graphs(const std::vector<simulation::LitGraph>& graphs, const std::string& title,
-                        const std::string& format);
+/// A coordinator's graph. The path, such as "explore/arbiter_tree", names it among others.
+struct NamedGraph {
+  std::string path;
+  Graph graph;
+
+  bool operator==(const NamedGraph&) const = default;
+};
+
+/// What the nodes of each graph are.
+using GraphLights = std::vector<std::vector<NodeState>>;
+
+/// Where the parts of graphs stand, in units of which a text has 10 to 12; y goes down. Drawing it
+/// again with other lights is cheap.
+struct GraphLayout {
+  struct Label {
+    std::string text;
+    Vector2 at;  // its middle
+  };
+  /// A node; one that holds others is a frame around them.
+  struct Box {
+    Vector2 from, to;  // upper left and lower right corner
+    Label label;
+    std::size_t graph = 0;
+    std::optional<std::size_t> node{};  // none: the frame of the graph, if there are several
+    bool is_frame = false;
+  };
+  struct Arrow {
+    std::vector<Vector2> curve;  // a point, then three for each cubic Bezier curve
+    Vector2 tip;                 // of its head, which begins at the end of the curve
+    Label label;
+  };
+
+  std::vector<Box> boxes;  // each after those around it
+  std::vector<Arrow> arrows;
+  double width = 0.0, height = 0.0;
+};
+
+/// Graphviz lays the graphs out: each in a frame with its path, if there are several. Takes
+/// seconds for a thousand nodes. Throws base::Error when Graphviz fails.
+GraphLayout lay_out(const std::vector<NamedGraph>& graphs);
+
+/// Draws what is running, and what has succeeded or failed, in colour. `format`: "svg" or "png".
+/// Returns the content of the file. Throws base::Error for another format.
+std::string draw_graphs(const GraphLayout& layout, const GraphLights& lights,
+                        const std::string& title, const std::string& format);
+
+/// A part of the same as pixels, like screen_chart(): from this corner of the layout on, with
+/// `zoom` pixels for a unit. The style may also have "running", "within" (a frame around it),
+/// "success" and "failure".
+std::vector<std::uint32_t> screen_graphs(const GraphLayout& layout, const GraphLights& lights,
+                                         const Vector2& from, int width, int height, double zoom,
+                                         const Style& style);
 
 }  // namespace elsie::picture

@@ -5,7 +5,8 @@
 // and a lane for each behaviour, with inner ones below the outer one. A lane shows the priority
 // that the user set (and since when, if it changed in the run), the share in the robot's command,
 // the activation, and when the behaviour was silenced. Below them is a panel for each number that a
-// plugin of the robot published.
+// plugin of the robot published, and for each coordinator that shows a graph a row for each node
+// that was running, or succeeded or failed, with the part of the time in which it was running.
 #pragma once
 
 #include <cstddef>

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "elsie/picture/graph_picture.h"
 #include "elsie/picture/size.h"
 #include "elsie/picture/top_view.h"
 #include "elsie/traces/trace.h"
@@ -41,6 +42,12 @@ struct RecordedResult {
       measures;  // by name, as in simulation::RunResult; those with a value
 };
 
+/// The graphs of a robot's coordinators.
+struct RecordedGraphs {
+  std::vector<picture::NamedGraph> graphs;
+  picture::GraphLights lights;
+};
+
 struct RecordedRun {
   std::string library;  // the program that wrote the file
   std::vector<RecordedChannel> channels;
@@ -66,6 +73,7 @@ struct RecordedRun {
   // The state at the requested time.
   double shown_s = 0.0;                               // of the last sample until then
   std::vector<picture::RobotTrack> robots;            // their paths until then
+  std::map<std::string, RecordedGraphs> graphs;       // of robots that have any, by their ids
   std::vector<Sketch> sketches;                       // of measures
   std::map<std::string, picture::FloorField> fields;  // by their ids, without their colours
   std::map<std::string, Pose> moved;                  // boxes that were seen, by their ids

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "elsie/api/graph.h"
 #include "elsie/api/motion.h"
 #include "elsie/api/simulator_events.h"
 
@@ -92,6 +93,20 @@ struct TraceHeard {
   std::string text;  // its numbers
 };
 
+/// The graph of one of a robot's coordinators, while it stayed the same.
+struct TraceGraph {
+  std::string path;    // ids from the robot on: "explore/arbiter_tree"
+  std::string plugin;  // the coordinator's
+  Graph graph;
+  /// What the nodes are, from a decision until the next one that is here.
+  struct Lights {
+    double time_s = 0.0;
+    std::vector<NodeState> nodes;
+  };
+  std::vector<Lights> lights{};  // ascending in time
+  double to_s = std::numeric_limits<double>::infinity();
+};
+
 /// A robot with its behaviours during a time. If an edit changes the behaviours, another TraceRobot
 /// with the same id begins.
 struct TraceRobot {
@@ -102,7 +117,8 @@ struct TraceRobot {
   std::vector<TraceEvent> events;
   std::vector<TraceNumber> numbers{};
   std::vector<TraceActuator> actuators{};
-  std::vector<TraceHeard> heard{};  // ascending in time
+  std::vector<TraceHeard> heard{};   // ascending in time
+  std::vector<TraceGraph> graphs{};  // of those that an edit changed, the earlier one first
   /// The time during which it is in the world with these behaviours, s.
   double from_s = 0.0;
   double to_s = std::numeric_limits<double>::infinity();

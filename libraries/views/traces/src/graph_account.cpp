@@ -1,0 +1,52 @@
+#include "elsie/traces/graph_account.h"
+
+#include <algorithm>
+
+namespace elsie::traces {
+
+void walk(const TraceGraph& graph, const TimeSpan& span,
+          const std::function<void(const TimeSpan&, std::span<const NodeState>)>& see) {
+  for (std::size_t i = 0; i < graph.lights.size(); ++i) {
+    const double end_s = i + 1 < graph.lights.size() ? graph.lights[i + 1].time_s : graph.to_s;
+    const TimeSpan part{std::max(graph.lights[i].time_s, span.from_s), std::min(end_s, span.to_s)};
+    if (part.from_s < part.to_s) see(part, graph.lights[i].nodes);
+  }
+}
+
+std::vector<NodeAccount> account(const TraceGraph& graph, const TimeSpan& span) {
+  std::vector<NodeAccount> accounts(graph.graph.nodes.size());
+  std::vector<NodeState> before(accounts.size());
+  walk(graph, span, [&](const TimeSpan& part, std::span<const NodeState> nodes) {
+    for (std::size_t i = 0; i < accounts.size(); ++i) {
+      Lit* const lit = nodes[i] == NodeState::running   ? &accounts[i].running
+                       : nodes[i] == NodeState::success ? &accounts[i].success
+                       : nodes[i] == NodeState::failure ? &accounts[i].failure
+                                                        : nullptr;
+      if (lit) {
+        lit->time_s += part.to_s - part.from_s;
+        lit->times += nodes[i] != before[i] ? 1 : 0;
+      }
+      before[i] = nodes[i];
+    }
+  });
+  return accounts;
+}
+
+std::vector<int> depths(const Graph& graph) {
+  std::vector<int> above;
+  for (const Graph::Node& node : graph.nodes) above.push_back(node.within);
+  if (std::all_of(above.begin(), above.end(), [](int node) { return node < 0; })) {
+    // A tree, if at most one edge leads to each node, and from one before it.
+    for (const Graph::Edge& edge : graph.edges) {
+      if (edge.from >= edge.to || above[edge.to] >= 0) return std::vector<int>(above.size());
+      above[edge.to] = static_cast<int>(edge.from);
+    }
+  }
+  std::vector<int> depths;
+  for (const int node : above) {
+    depths.push_back(node < 0 ? 0 : depths[static_cast<std::size_t>(node)] + 1);
+  }
+  return depths;
+}
+
+}  // namespace elsie::traces
