@@ -24,6 +24,7 @@ class ControlBar;
 class CoordinationPanel;
 class Exporter;
 class FuzzyPanel;
+class GraphPanel;
 class Past;
 class PlotsPanel;
 class ProblemsPanel;
@@ -174,7 +175,7 @@ class MainWindow : public QMainWindow {
   QSet<QString> idle_teams_;  // usual ones whose windows give way
   struct Docks {
     QDockWidget *world, *properties, *coordination, *plots, *text, *problems, *vision, *fuzzy,
-        *sensors;
+        *sensors, *graph;
   };
   Docks docks_{};
   Properties* properties_;
@@ -185,6 +186,7 @@ class MainWindow : public QMainWindow {
   VisionPanel* vision_;
   FuzzyPanel* fuzzy_;
   SensorsPanel* sensors_;
+  GraphPanel* graph_;
   /// The commands that are used outside of their menus, in the order of these.
   struct Actions {
     QAction *new_world, *open, *save;

@@ -23,6 +23,7 @@
 #include "text/world_editor.h"
 #include "watch/coordination_panel.h"
 #include "watch/fuzzy_panel.h"
+#include "watch/graph_panel.h"
 #include "watch/plots_panel.h"
 #include "watch/sensors_panel.h"
 #include "watch/vision_panel.h"
@@ -78,6 +79,7 @@ void MainWindow::connect_workbench() {
     if (seen_.contains(docks_.vision)) vision_->add(state);
     if (seen_.contains(docks_.fuzzy)) fuzzy_->add(state);
     if (seen_.contains(docks_.sensors)) sensors_->add(state);
+    if (seen_.contains(docks_.graph)) graph_->add(state);
     for (WorldTree* each : findChildren<WorldTree*>()) {
       if (each->isVisible()) each->show_weights(state);
     }
@@ -318,6 +320,7 @@ void MainWindow::watch() {
       !authoring_->selection().isEmpty() && authoring_->selection().front().contains("/behavior[");
   if (shows(docks_.coordination) || is_behavior) what.push_back("decisions");
   if (shows(docks_.sensors)) what.push_back("sensors");
+  if (shows(docks_.graph)) what.push_back("graphs");
   if (shows(docks_.plots) || !plots_->choice().isEmpty()) what.push_back("measures");
   if (shows(docks_.vision)) what.push_back("cameras");
   const QStringList plotted = plots_->choice();
@@ -350,22 +353,25 @@ void MainWindow::watch() {
 
 void MainWindow::request_past() {
   const bool plots = seen_.contains(docks_.plots) || !plots_->choice().isEmpty();
+  const bool looks_back = time_line_->is_in_the_past();
+  const bool graph = seen_.contains(docks_.graph) && looks_back;
   past_->request_paths(scene_->overlays().trails);
-  if (!plots && !seen_.contains(docks_.coordination)) {
+  if (!plots && !graph && !seen_.contains(docks_.coordination)) {
     past_->request_no_numbers();
     return;
   }
   QStringList numbers = plots ? plots_->chosen() : QStringList();
-  if (seen_.contains(docks_.coordination)) {
-    numbers += coordination_->numbers(time_line_->is_in_the_past());
-  }
+  if (seen_.contains(docks_.coordination)) numbers += coordination_->numbers(looks_back);
+  if (graph) numbers += graph_->numbers();
   numbers.removeDuplicates();
   past_->request_numbers(numbers, plottable_);
 }
 
 void MainWindow::show_looked_back() {
-  coordination_->look_back(time_line_->is_in_the_past() ? std::optional(workbench_.time_s())
-                                                        : std::nullopt);
+  const auto time_s =
+      time_line_->is_in_the_past() ? std::optional(workbench_.time_s()) : std::nullopt;
+  coordination_->look_back(time_s);
+  graph_->look_back(time_s);
 }
 
 void MainWindow::watch_robot(const QString& id) {
@@ -376,6 +382,7 @@ void MainWindow::watch_robot(const QString& id) {
     coordination_->set_robot(id);
     fuzzy_->set_robot(id);
     sensors_->set_robot(id);
+    graph_->set_robot(id);
   }
 }
 

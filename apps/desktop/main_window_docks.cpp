@@ -15,6 +15,7 @@
 #include "text/world_editor.h"
 #include "watch/coordination_panel.h"
 #include "watch/fuzzy_panel.h"
+#include "watch/graph_panel.h"
 #include "watch/plots_panel.h"
 #include "watch/sensors_panel.h"
 #include "watch/vision_panel.h"
@@ -77,6 +78,7 @@ void MainWindow::make_docks() {
   vision_ = new VisionPanel;
   fuzzy_ = new FuzzyPanel;
   sensors_ = new SensorsPanel;
+  graph_ = new GraphPanel;
   docks_.coordination =
       dock("coordination", tr("Coordination"), coordination_, Qt::BottomDockWidgetArea);
   docks_.plots = dock("plots", tr("Plots"), plots_, Qt::BottomDockWidgetArea);
@@ -85,8 +87,9 @@ void MainWindow::make_docks() {
   docks_.vision = dock("vision", tr("Vision"), vision_, Qt::RightDockWidgetArea);
   docks_.fuzzy = dock("fuzzy", tr("Fuzzy"), fuzzy_, Qt::RightDockWidgetArea);
   docks_.sensors = dock("sensors", tr("Sensors"), sensors_, Qt::RightDockWidgetArea);
-  for (QDockWidget* each :
-       {docks_.coordination, docks_.plots, docks_.vision, docks_.fuzzy, docks_.sensors}) {
+  docks_.graph = dock("graph", tr("Graph"), graph_, Qt::RightDockWidgetArea);
+  for (QDockWidget* each : {docks_.coordination, docks_.plots, docks_.vision, docks_.fuzzy,
+                            docks_.sensors, docks_.graph}) {
     // A dock behind another one also counts as "visible".
     connect(each, &QDockWidget::visibilityChanged, this, [this, each](bool is_seen) {
       is_seen ? void(seen_.insert(each)) : void(seen_.remove(each));
@@ -98,6 +101,7 @@ void MainWindow::make_docks() {
   const auto show_numbers = [this] {
     plots_->set_samples(past_->numbers());
     coordination_->set_samples(past_->numbers());
+    graph_->set_samples(past_->numbers());
   };
   show_numbers();
   connect(past_, &Past::numbers_changed, this, show_numbers);
@@ -127,7 +131,7 @@ void MainWindow::arrange(const QString& layout) {
   }
   put(Qt::LeftDockWidgetArea, trees);
   const bool is_watch = layout == "watch";
-  const QList<QDockWidget*> watching{docks_.vision, docks_.fuzzy, docks_.sensors};
+  const QList<QDockWidget*> watching{docks_.vision, docks_.fuzzy, docks_.sensors, docks_.graph};
   put(Qt::RightDockWidgetArea, is_watch ? watching : QList{docks_.properties});
   QList<QDockWidget*> below{docks_.coordination, docks_.plots};
   if (!is_watch) below << docks_.text;

@@ -20,6 +20,7 @@
 #include "scene/scene_view.h"
 #include "start_page.h"
 #include "watch/fuzzy_panel.h"
+#include "watch/graph_panel.h"
 #include "watch/plots_panel.h"
 #include "watch/sensors_panel.h"
 #include "watch/vision_panel.h"
@@ -111,6 +112,7 @@ void MainWindow::forget_world() {
   plots_->set_names({});
   vision_->clear();
   fuzzy_->clear();
+  graph_->clear();
   sensors_->clear();
   recorded_.reset();
 }

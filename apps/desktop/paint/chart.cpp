@@ -10,8 +10,6 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr double kLine = 15.0;  // units of the chart for a line of the window's text
-
 Colour plain(const QColor& colour) {
   return {static_cast<std::uint8_t>(colour.red()), static_cast<std::uint8_t>(colour.green()),
           static_cast<std::uint8_t>(colour.blue())};
@@ -22,6 +20,8 @@ QColor mixed(const QColor& a, const QColor& b, float part) {
                           a.greenF() + part * (b.greenF() - a.greenF()),
                           a.blueF() + part * (b.blueF() - a.blueF()));
 }
+
+}  // namespace
 
 picture::Style style_of(const QPalette& palette) {
   const QColor ink = palette.color(QPalette::Text), paper = palette.color(QPalette::Base);
@@ -35,22 +35,34 @@ picture::Style style_of(const QPalette& palette) {
   for (int n = 0; n < 6; ++n) {
     style["c" + std::to_string(n)] = plain(curve_colour(n, palette));
   }
+  if (paper.lightnessF() < 0.5F) {  // the nodes of graphs are pale otherwise
+    style.insert({{"running", {0x7a, 0x5c, 0x00}},
+                  {"within", {0x3d, 0x33, 0x14}},
+                  {"success", {0x2f, 0x5c, 0x24}},
+                  {"failure", {0x78, 0x30, 0x28}}});
+  }
   return style;
 }
 
-}  // namespace
-
-void draw_chart(QPainter& painter, const QRectF& area, const picture::Panel& panel,
-                const QPalette& palette) {
+void draw_pixels(
+    QPainter& painter, const QRectF& area,
+    const std::function<std::vector<std::uint32_t>(const QSize& size, double ratio)>& drawn) {
   const double ratio = painter.device()->devicePixelRatioF();
   const QSize size = (ratio * area.size()).toSize().expandedTo({1, 1});
-  const double zoom = ratio * painter.fontMetrics().height() / kLine;
-  const std::vector<std::uint32_t> pixels =
-      picture::screen_chart(panel, size.width(), size.height(), zoom, style_of(palette));
+  const std::vector<std::uint32_t> pixels = drawn(size, ratio);
   QImage image(reinterpret_cast<const uchar*>(pixels.data()), size.width(), size.height(),
                QImage::Format_RGB32);
   image.setDevicePixelRatio(ratio);
   painter.drawImage(area.topLeft(), image);
+}
+
+void draw_chart(QPainter& painter, const QRectF& area, const picture::Panel& panel,
+                const QPalette& palette) {
+  const double zoom = painter.fontMetrics().height() / kTextLine;
+  draw_pixels(painter, area, [&](const QSize& size, double ratio) {
+    return picture::screen_chart(panel, size.width(), size.height(), ratio * zoom,
+                                 style_of(palette));
+  });
 }
 
 }  // namespace elsie::desktop

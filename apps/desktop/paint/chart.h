@@ -2,6 +2,10 @@
 #pragma once
 
 #include <QRectF>
+#include <QSize>
+#include <cstdint>
+#include <functional>
+#include <vector>
 
 #include "elsie/picture/plot.h"
 
@@ -9,6 +13,18 @@ class QPainter;
 class QPalette;
 
 namespace elsie::desktop {
+
+/// Units of a picture for a line of the window's text.
+inline constexpr double kTextLine = 15.0;
+
+/// The palette's colours for pictures.
+picture::Style style_of(const QPalette& palette);
+
+/// Draws the pixels that `drawn` returns for an area of this size in pixels of the screen, of which
+/// `ratio` make one of the window.
+void draw_pixels(
+    QPainter& painter, const QRectF& area,
+    const std::function<std::vector<std::uint32_t>(const QSize& size, double ratio)>& drawn);
 
 /// Draws a chart as elsie::picture draws it into files, in the palette's colours and the size of
 /// the painter's font.

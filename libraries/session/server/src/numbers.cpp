@@ -18,6 +18,7 @@ constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 // Sources that are no sensors: the fuzzy models of a robot, what its plugins publish, and measures.
 constexpr std::size_t kNoSensor = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kPublished = kNoSensor - 1;
+constexpr std::size_t kGraphs = kNoSensor - 2;
 constexpr std::size_t kNoRobot = std::numeric_limits<std::size_t>::max();
 
 /// Takes the values, in the order of the names.
@@ -138,6 +139,7 @@ bool Numbers::visit_all(const Simulation& simulation, Visitor visitor) {
     visit_published(
         simulation.robot(robot).description->id, {robot, kPublished},
         [&](const auto& visit) { simulation.visit_published(robot, visit); }, has_decided, visitor);
+    visit_nodes(simulation, robot, has_decided, visitor);
   }
   visit_published(
       kMeasures, {kNoRobot, kPublished},
@@ -166,6 +168,34 @@ void Numbers::visit_published(std::string_view whose, std::pair<std::size_t, std
   visitor.begin(whose);
   for (const Number& each : numbers) {
     visitor.see(each.name, has_decided ? each.value : kNone, each.unit);
+  }
+}
+
+template <class Visitor>
+void Numbers::visit_nodes(const Simulation& simulation, std::size_t robot, bool has_decided,
+                          Visitor& visitor) {
+  const std::pair source{robot, kGraphs};
+  if (silent_.contains(source)) return;
+  std::vector<simulation::LitGraph> graphs;
+  if (!succeeds(source, [&] { graphs = simulation.graphs(robot); })) return;
+  const auto [listed, is_new] = nodes_.try_emplace(robot);
+  if (is_new) {
+    std::size_t count = 0;
+    for (const simulation::LitGraph& each : graphs) {
+      listed->second.emplace_back(each.path, each.lights.size());
+      count += each.lights.size();
+    }
+    if (count > kMostNodes) listed->second.clear();
+    if (listed->second.empty()) silent_.insert(source);
+  }
+  for (std::size_t g = 0; g < listed->second.size(); ++g) {
+    const auto& [path, count] = listed->second[g];
+    visitor.begin(simulation.robot(robot).description->id, path);
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool is_there = has_decided && g < graphs.size() && i < graphs[g].lights.size();
+      visitor.see("nodes/" + std::to_string(i),
+                  is_there ? static_cast<double>(graphs[g].lights[i]) : kNone);
+    }
   }
 }
 
@@ -199,6 +229,7 @@ void Numbers::begin(const Simulation& simulation, double period_s) {
 void Numbers::lay_out(const Simulation& simulation) {
   failed_.clear();
   silent_.clear();
+  nodes_.clear();
   list_names(simulation);
 }
 

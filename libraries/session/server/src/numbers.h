@@ -21,7 +21,8 @@ namespace elsie::server {
 
 /// Samples of the numbers of all robots, by names such as "r1/speed", "r1/avoid/share" or
 /// "r1/left/distance_m"; see Samples. Values are those of the last decision and measurement, not
-/// rounded, in single precision. Numbers that do not exist at a time are NaN then.
+/// rounded, in single precision. Numbers that do not exist at a time are NaN then. A node of a graph,
+/// such as "r1/arbiter_states/nodes/3", is 0 (dark), 1 (running), 2 (success) or 3 (failure).
 class Numbers {
  public:
   struct Sample {
@@ -33,6 +34,8 @@ class Numbers {
   };
 
   static constexpr std::string_view kMeasures = "measures";  // before the slash
+  /// A robot whose graphs have more nodes has no numbers of them.
+  static constexpr std::size_t kMostNodes = 500;
 
   /// By the names of numbers that have one.
   using Units = std::map<std::string, std::string, std::less<>>;
@@ -72,6 +75,10 @@ class Numbers {
   template <class List, class Visitor>
   void visit_published(std::string_view whose, std::pair<std::size_t, std::size_t> source,
                        const List& list, bool has_decided, Visitor& visitor);
+  /// Visits a number for each node that the robot's graphs had when the names were listed.
+  template <class Visitor>
+  void visit_nodes(const simulation::Simulation& simulation, std::size_t robot, bool has_decided,
+                   Visitor& visitor);
   /// Calls plugins of this source, a robot and a sensor, unless they have failed. Returns whether
   /// they have succeeded.
   template <class Call>
@@ -89,7 +96,9 @@ class Numbers {
   std::uint64_t layout_ = 0;
   std::set<std::pair<std::size_t, std::size_t>> failed_;
   std::set<std::pair<std::size_t, std::size_t>> silent_;  // they publish nothing
-  std::set<std::pair<std::string, std::string>> noted_;   // the robot and the id of a plugin
+  /// Of each robot, by its place: the paths of its graphs, and the number of their nodes.
+  std::map<std::size_t, std::vector<std::pair<std::string, std::size_t>>> nodes_;
+  std::set<std::pair<std::string, std::string>> noted_;  // the robot and the id of a plugin
   std::vector<simulation::Note> notes_;
 };
 

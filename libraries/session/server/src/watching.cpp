@@ -11,6 +11,7 @@
 #include "elsie/files/base64.h"
 #include "elsie/files/clean_text.h"
 #include "elsie/picture/floor_field.h"
+#include "elsie/recording/graph_json.h"
 #include "elsie/recording/sensor_pictures.h"
 #include "elsie/traces/trace_rows.h"
 
@@ -24,8 +25,8 @@ using simulation::SensorView;
 using simulation::Simulation;
 using simulation::TracedMember;
 
-constexpr const char* kWhat[] = {"decisions", "sensors", "cameras", "fuzzy",
-                                 "measures",  "fields",  "lights"};
+constexpr const char* kWhat[] = {"decisions", "sensors",  "cameras", "fuzzy",
+                                 "graphs",    "measures", "fields",  "lights"};
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
@@ -167,6 +168,16 @@ Json fuzzy_json(const Simulation& simulation, std::size_t robot) {
   return models;
 }
 
+/// The graphs of its coordinators, and what is lit in them.
+Json graphs_json(const Simulation& simulation, std::size_t robot) {
+  Json graphs = Json::array();
+  for (const simulation::LitGraph& lit : simulation.graphs(robot)) {
+    graphs.push_back(recording::graph_json(lit.path, lit.plugin, lit.graph));
+    recording::add_lights(lit.lights, graphs.back());
+  }
+  return graphs;
+}
+
 /// The fields of the floor, as opaque as they are shown.
 Json fields_json(const Simulation& simulation) {
   constexpr std::size_t kMost = 128;
@@ -192,7 +203,7 @@ void Watching::choose(const Json& order) {
     if (std::find(std::begin(kWhat), std::end(kWhat), word) == std::end(kWhat)) {
       throw base::BadInput("'" + word +
                            "' cannot be watched; expected decisions, sensors, cameras, fuzzy, "
-                           "measures, fields or lights");
+                           "graphs, measures, fields or lights");
     }
     what.insert(word);
   }
@@ -226,6 +237,9 @@ Json Watching::robot(const Simulation& simulation, std::size_t index) const {
   }
   if (watches("fuzzy")) {
     robot["fuzzy"] = fuzzy_json(simulation, index);
+  }
+  if (watches("graphs")) {
+    robot["graphs"] = graphs_json(simulation, index);
   }
   return robot;
 }

@@ -26,15 +26,15 @@ std::size_t index_below(const Json& index, std::size_t count) {
 
 }  // namespace
 
-Json graph_json(const simulation::LitGraph& lit) {
-  Json json{{"path", lit.path}, {"plugin", lit.plugin}};
+Json graph_json(std::string_view path, std::string_view plugin, const Graph& graph) {
+  Json json{{"path", path}, {"plugin", plugin}};
   Json& nodes = json["nodes"] = Json::array();
-  for (const Graph::Node& node : lit.graph.nodes) {
+  for (const Graph::Node& node : graph.nodes) {
     nodes.push_back({{"label", node.label}});
     if (node.within >= 0) nodes.back()["within"] = node.within;
   }
   Json& edges = json["edges"] = Json::array();
-  for (const Graph::Edge& edge : lit.graph.edges) {
+  for (const Graph::Edge& edge : graph.edges) {
     edges.push_back({{"from", edge.from}, {"to", edge.to}});
     if (!edge.label.empty()) edges.back()["label"] = edge.label;
   }

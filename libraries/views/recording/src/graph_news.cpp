@@ -22,7 +22,9 @@ GraphNews::Messages GraphNews::take(std::vector<LitGraph> now, std::uint64_t tim
   Messages messages;
   if (!are_known) {
     messages.graphs = Json{{"timestamp", time_json(time_ns)}, {"graphs", Json::array()}};
-    for (const LitGraph& each : now) (*messages.graphs)["graphs"].push_back(graph_json(each));
+    for (const LitGraph& each : now) {
+      (*messages.graphs)["graphs"].push_back(graph_json(each.path, each.plugin, each.graph));
+    }
   }
   if (!are_lit_alike && !now.empty()) {
     messages.lights = Json{{"timestamp", time_json(time_ns)}, {"graphs", Json::array()}};

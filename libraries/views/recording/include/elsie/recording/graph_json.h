@@ -2,20 +2,20 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "elsie/api/graph.h"
-#include "elsie/simulation/simulation.h"
 
 namespace elsie::recording {
 
 /// `path`, `plugin`; `nodes`, each with its `label` and, if there is a node around it, the index of
 /// that as `within`; `edges`, each with `from` and `to`, indices of nodes, and its `label`, if it
 /// has one.
-nlohmann::ordered_json graph_json(const simulation::LitGraph& graph);
+nlohmann::ordered_json graph_json(std::string_view path, std::string_view plugin,
+                                  const Graph& graph);
 /// Adds what its nodes are: `running`, and `success` and `failure` if any are. Each is a list of
 /// indices.
 void add_lights(const std::vector<NodeState>& lights, nlohmann::ordered_json& json);
