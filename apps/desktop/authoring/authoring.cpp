@@ -155,11 +155,18 @@ void Authoring::add_element(const QString& holder, const QString& list,
   if (!beginning.kind.isEmpty()) {
     dialog->choose(beginning.kind);
   }
-  // The new element is selected next: it is the last of its list.
-  connect(dialog, &QDialog::accepted, this, [this, holder, list] {
-    const std::vector<ElementPlace> members = members_of(workbench_.tree(), holder, list);
-    if (!members.empty()) {
-      select({members.back().path});
+  // The new element is selected next: it is the last of its list, or of its name.
+  connect(dialog, &QDialog::accepted, this, [this, holder, list, dialog] {
+    const ElementPlace around = list.isEmpty() ? place_of(workbench_.tree(), holder)
+                                               : list_at(workbench_.tree(), holder, list);
+    QString path;
+    if (around.element) {
+      visit_children(around, [&](const ElementPlace& each) {
+        if (!list.isEmpty() || name_of(*each.element) == dialog->kind()) path = each.path;
+      });
+    }
+    if (!path.isEmpty()) {
+      select({path});
       view_.setFocus();  // so that keys act on it
     }
   });
@@ -246,6 +253,9 @@ void Authoring::open_menu(const QString& path, const QPoint& global) {
   if (is_robot || (kind && kind->holds_behaviors)) {
     menu.addAction(tr("&Behaviours..."), this, [this, path] { edit_behaviors(path); });
     menu.addAction(tr("&Coordinator..."), this, [this, path] { add_element(path, "coordinator"); });
+  }
+  if (kind && kind->is_of_plugin && !kind->elements.isEmpty()) {
+    menu.addAction(tr("Add ele&ment..."), this, [this, path] { add_element(path, {}); });
   }
   if (kind && kind->elements.contains("waypoint")) {
     menu.addAction(tr("Add &waypoint"), this, [this, path] { add_waypoint(path); });

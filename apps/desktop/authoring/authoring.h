@@ -45,7 +45,8 @@ class Authoring : public QObject {
     QString team;               // of a robot
     std::optional<QPointF> at;  // m
   };
-  /// Opens the dialog for a new member of `list` ("sensors") in the element `holder` ("robot[r1]").
+  /// Opens the dialog for a new member of `list` ("sensors") in the element `holder` ("robot[r1]");
+  /// with "" for one of the elements that a plugin declares for what is there.
   void add_element(const QString& holder, const QString& list, const Beginning& beginning = {});
   void add_waypoint(const QString& path);
   void add_point(const QString& path);
@@ -96,7 +97,7 @@ class Authoring : public QObject {
   QStringList wholes() const;
   QString markup_of_selected() const;
   QString list_for(const QString& name) const;
-  std::optional<QString> holder_of_part(const QString& name) const;
+  std::optional<QString> holder_of_part(const Piece& piece) const;
   void insert(const QString& markup, const QString& name);
   /// The edit that puts a piece into the world; "", with a sentence, if it cannot be put there.
   /// Adds the id that it gives to `taken`.

@@ -102,11 +102,18 @@ QString Authoring::list_for(const QString& name) const {
   return {};
 }
 
-// The selected element, or one around it, that may hold elements of that name; none otherwise.
-std::optional<QString> Authoring::holder_of_part(const QString& name) const {
-  for (QString path = selection_.value(0); !path.isEmpty(); path = holder_of(path)) {
+// The selected element, or one around it, that may hold this; none otherwise. What was copied where
+// it is still selected goes beside it, also where it may hold its like.
+std::optional<QString> Authoring::holder_of_part(const Piece& piece) const {
+  QString path = selection_.value(0);
+  const bool is_here = std::any_of(selection_.begin(), selection_.end(), [&](const QString& each) {
+    const ElementPlace place = place_of(workbench_.tree(), each);
+    return place.element && markup_of(*place.element) == piece.markup;
+  });
+  if (is_here) path = holder_of(path);
+  for (; !path.isEmpty(); path = holder_of(path)) {
     const auto kind = workbench_.catalog().kind_of(place_of(workbench_.tree(), path));
-    if (kind && kind->elements.contains(name) && member_word(name).isEmpty()) {
+    if (kind && kind->elements.contains(piece.name) && member_word(piece.name).isEmpty()) {
       return path;
     }
   }
@@ -206,7 +213,7 @@ QString Authoring::insertion_of(Piece piece, const QPointF& aside, QStringList& 
           with_attribute(piece, "y", number(attribute_of(piece, "y").toDouble() + aside.y()));
     }
   };
-  if (const auto holder = piece.list.isEmpty() ? holder_of_part(piece.name) : std::nullopt) {
+  if (const auto holder = piece.list.isEmpty() ? holder_of_part(piece) : std::nullopt) {
     if (piece.name == "waypoint") stand_aside();
     return *holder + '/' + piece.name + "[+]=" + piece.markup;
   }

@@ -59,15 +59,55 @@ void add_fields(Kind& kind, const Json& json, const char* list) {
   }
 }
 
-Kind plugin_of(const Json& json) {
-  Kind kind;
-  kind.name = text_of(json, "name");
-  kind.description = text_of(json, "description");
-  kind.holds_behaviors = json.value("holds_behaviors", false);
-  add_fields(kind, json, "parameters");
-  for (const Json& each : member(json, "elements")) {
-    kind.elements << text_of(each, "name");
+/// A plugin's own element, or one that it declares, at whatever depth: plugin::DeclaredElement, of
+/// what the engine says.
+class Declared {
+ public:
+  explicit Declared(const Json& plugin) : own_(&plugin), among_(&member(plugin, "elements")) {}
+
+  const Json& json() const { return *own_; }
+  /// All that may stand in it.
+  std::vector<Declared> inside() const {
+    std::vector<Declared> all;
+    if (is_inner_) {
+      const Json& own = member(*own_, "elements");
+      for (const Json& each : own) all.push_back(Declared(each, own));
+    }
+    for (const Json& each : *among_) {
+      const bool is_beside =
+          member(*own_, "nests") == true && member(each, "list") == member(*own_, "list");
+      if (!is_inner_ || is_beside) all.push_back(Declared(each, *among_));
+    }
+    return all;
   }
+  std::optional<Declared> inside(const QString& name) const {
+    for (const Declared& each : inside()) {
+      if (text_of(*each.own_, "name") == name) return each;
+    }
+    return std::nullopt;
+  }
+  Kind kind() const {
+    Kind kind;
+    kind.name = text_of(*own_, "name");
+    kind.description = text_of(*own_, is_inner_ ? "meaning" : "description");
+    kind.is_of_plugin = true;
+    add_fields(kind, *own_, "parameters");
+    for (const Declared& each : inside()) kind.elements << text_of(*each.own_, "name");
+    return kind;
+  }
+
+ private:
+  Declared(const Json& element, const Json& among)
+      : own_(&element), among_(&among), is_inner_(true) {}
+
+  const Json* own_;
+  const Json* among_;  // the elements where it is declared
+  bool is_inner_ = false;
+};
+
+Kind plugin_of(const Json& json) {
+  Kind kind = Declared(json).kind();
+  kind.holds_behaviors = json.value("holds_behaviors", false);
   for (const auto& [name, list] : {std::pair("needs", &kind.needs), {"produces", &kind.produces}}) {
     for (const Json& each : member(json, name)) {
       *list << words_of(each);
@@ -76,20 +116,42 @@ Kind plugin_of(const Json& json) {
   return kind;
 }
 
+/// Adds the attributes that all plugins of its kind may have in a world: the place of a sensor, the
+/// priority of a behaviour.
+void add_common(Kind& plugin, const std::optional<Kind>& common) {
+  if (!common) return;
+  plugin.fields.insert(plugin.fields.begin(), common->fields.begin(), common->fields.end());
+  plugin.can_be_removed = common->can_be_removed;
+}
+
+const Json* plugin_named(const Json& answer, const QString& kind, const QString& name) {
+  for (const Json& each : member(answer, "plugins")) {
+    if (text_of(each, "name") == name && text_of(each, "kind") == kind) return &each;
+  }
+  return nullptr;
+}
+
+/// The last of these elements, if it is a plugin or stands in one.
+std::optional<Declared> declared_at(const Json& answer, const QStringList& names) {
+  std::optional<Declared> at;
+  for (qsizetype i = 1; i < names.size(); ++i) {
+    const Json& holder = member(member(answer, "elements"), names[i - 1].toUtf8().constData());
+    const QString holds = text_of(holder, "holds");
+    const Json* const plugin = holds.isEmpty() ? nullptr : plugin_named(answer, holds, names[i]);
+    auto inner = at ? at->inside(names[i]) : std::nullopt;
+    at = inner ? inner : plugin ? std::optional(Declared(*plugin)) : std::nullopt;
+  }
+  return at;
+}
+
 }  // namespace
 
-// Adds the attributes that all plugins of the kind may have in a world: the place of a sensor, the
-// priority of a behaviour.
 std::vector<Kind> Catalog::plugins(const QString& kind) const {
   const auto common = element(kind);
   std::vector<Kind> kinds;
   for (const Json& each : member(answer_, "plugins")) {
     if (text_of(each, "kind") == kind) {
-      Kind& made = kinds.emplace_back(plugin_of(each));
-      if (common) {
-        made.fields.insert(made.fields.begin(), common->fields.begin(), common->fields.end());
-        made.can_be_removed = common->can_be_removed;
-      }
+      add_common(kinds.emplace_back(plugin_of(each)), common);
     }
   }
   return kinds;
@@ -127,29 +189,29 @@ std::vector<Kind> Catalog::members(const QString& list) const {
 }
 
 std::optional<Kind> Catalog::kind_of(const ElementPlace& place) const {
-  return place.element
-             ? kind_of(name_of(*place.element), place.parent ? name_of(*place.parent) : QString())
-             : std::nullopt;
+  return place.element ? kind_of(place.around + QStringList{name_of(*place.element)})
+                       : std::nullopt;
 }
 
-std::optional<Kind> Catalog::kind_of(const QString& name, const QString& holder) const {
-  for (const Kind& each : members(holder)) {
-    if (each.name == name) {
-      return each;
-    }
+std::optional<Kind> Catalog::kind_of(const QStringList& names) const {
+  const auto declared = declared_at(answer_, names);
+  if (!declared) return names.isEmpty() ? std::nullopt : element(names.back());
+  const QString plugin = text_of(declared->json(), "kind");
+  if (plugin.isEmpty()) return declared->kind();
+  Kind kind = plugin_of(declared->json());
+  add_common(kind, element(plugin));
+  return kind;
+}
+
+std::vector<Kind> Catalog::declared_in(const ElementPlace& place) const {
+  std::vector<Kind> kinds;
+  const auto declared =
+      place.element ? declared_at(answer_, place.around + QStringList{name_of(*place.element)})
+                    : std::nullopt;
+  if (declared) {
+    for (const Declared& each : declared->inside()) kinds.push_back(each.kind());
   }
-  for (const Json& plugin : member(answer_, "plugins")) {
-    for (const Json& each : member(plugin, "elements")) {
-      if (text_of(each, "name") == name && text_of(plugin, "name") == holder) {
-        Kind kind;
-        kind.name = name;
-        kind.description = text_of(each, "meaning");
-        add_fields(kind, each, "parameters");
-        return kind;
-      }
-    }
-  }
-  return element(name);
+  return kinds;
 }
 
 }  // namespace elsie::desktop

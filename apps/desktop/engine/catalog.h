@@ -24,12 +24,13 @@ struct Field {
   bool is_required = false;
 };
 
-/// A plugin, or an element of the vocabulary.
+/// A plugin, an element that a plugin declares, or an element of the vocabulary.
 struct Kind {
   QString name;
   QString description;
   std::vector<Field> fields;
   bool holds_behaviors = false;
+  bool is_of_plugin = false;    // a plugin, or an element that one declares
   bool can_be_removed = false;  // has the attribute `remove`, which is not among the fields
   QStringList elements;         // names of the elements that may stand in it
   QStringList needs, produces;  // kinds of readings, such as "range"
@@ -48,8 +49,10 @@ class Catalog {
   std::vector<Kind> members(const QString& list) const;
   /// The kind of the element at a place, with all that it may be given; none if it is unknown.
   std::optional<Kind> kind_of(const ElementPlace& place) const;
-  /// The same for an element of that name in one named `holder`.
-  std::optional<Kind> kind_of(const QString& name, const QString& holder) const;
+  /// The same for the last of these elements, each of which stands in the one before.
+  std::optional<Kind> kind_of(const QStringList& names) const;
+  /// The elements of a plugin that may stand in the element at a place, at whatever depth.
+  std::vector<Kind> declared_in(const ElementPlace& place) const;
   /// An element of the vocabulary by name: "robot", "physics".
   std::optional<Kind> element(const QString& name) const;
 

@@ -50,12 +50,14 @@ void visit_from(const ElementPlace& place, const std::function<bool(const Elemen
 void visit_children(const ElementPlace& place,
                     const std::function<void(const ElementPlace&)>& see) {
   const Json& children = children_of(*place.element);
+  if (children.empty()) return;  // most have none
+  const QStringList around = place.around + QStringList{name_of(*place.element)};
   for (std::size_t i = 0; i < children.size(); ++i) {
     // Lists contain no lists, and a plugin may have the name of one.
     const QString list = place.list.isEmpty() ? member_word(name_of(children[i])) : QString();
     see({&children[i], place.element,
          list.isEmpty() ? joined(place.path, step_of(*place.element, i, place.list)) : place.path,
-         list});
+         list, around});
   }
 }
 

@@ -17,6 +17,7 @@ struct ElementPlace {
   const Json* parent = nullptr;  // null for the world
   QString path;                  // as in edits; "" for the world. A list has the path of its holder
   QString list;                  // the word for its members if it is a list: "robot"; otherwise ""
+  QStringList around{};          // the names of the elements around it, the world first
 };
 
 /// Calls `see` for all elements, each before the elements in it. If `see` returns false, the

@@ -53,14 +53,19 @@ qsizetype open_tag(const QString& text) {
   return start;
 }
 
-/// The names of the elements that may stand in an element, which stands in `holder`.
-QStringList elements_in(const Catalog& catalog, const QString& name, const QString& holder) {
-  if (name.isEmpty()) {
+/// The names of the elements that may stand in the last of these, each of which stands in the one
+/// before.
+QStringList elements_in(const Catalog& catalog, const QStringList& open) {
+  if (open.isEmpty()) {
     return {QStringLiteral("world")};
   }
   QStringList names;
-  for (const Kind& each : catalog.members(name)) names << each.name;
-  if (const auto kind = catalog.kind_of(name, holder)) names << kind->elements;
+  for (const Kind& each : catalog.members(open.back())) names << each.name;
+  if (const auto kind = catalog.kind_of(open)) {
+    names << kind->elements;
+    if (kind->holds_behaviors)
+      names << QStringLiteral("behaviors") << QStringLiteral("coordinator");
+  }
   return names;
 }
 
@@ -106,17 +111,16 @@ Completion complete(const Catalog& catalog, const QString& before) {
     return result;
   }
   const QStringList open = open_elements(before.left(start));
-  const QString parent = open.value(open.size() - 1), holder = open.value(open.size() - 2);
   const QString tag = before.mid(start + 1);
   static const QRegularExpression blank(QStringLiteral("\\s"));
   const qsizetype name_end = tag.indexOf(blank);
   if (tag.startsWith(u'/')) {
     result.prefix = tag.mid(1);
-    result.words << parent;
+    result.words << open.value(open.size() - 1);
   } else if (name_end < 0) {
     result.prefix = tag;
-    result.words = elements_in(catalog, parent, holder);
-  } else if (const auto kind = catalog.kind_of(tag.left(name_end), parent)) {
+    result.words = elements_in(catalog, open);
+  } else if (const auto kind = catalog.kind_of(open + QStringList{tag.left(name_end)})) {
     result.words = words_in_tag(*kind, tag.mid(name_end), result.prefix);
   }
   result.words.removeDuplicates();

@@ -103,8 +103,9 @@ class GraphPanel::Page : public QWidget, public ShowsFigures {
   }
 
   QString notice() const {
-    if (robot.isEmpty())
+    if (robot.isEmpty()) {
       return tr("Select a robot to see the states or the tree of its coordinator");
+    }
     if (!problem_.isEmpty()) return problem_;
     if (!is_known_) {
       return tr("Nothing from %1 yet: this panel is updated only while it is visible").arg(robot);

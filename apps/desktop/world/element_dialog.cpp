@@ -82,11 +82,13 @@ ElementDialog* ElementDialog::make(Workbench& workbench, const QString& holder, 
   dialog->makes_ = true;
   dialog->holder_ = holder;
   dialog->list_ = list;
-  dialog->setWindowTitle(
-      holder.isEmpty()
-          ? tr("New %1").arg(member_word(list))
-          : tr("New %1 of %2").arg(member_word(list), title_at(workbench.tree(), holder)));
-  dialog->kinds_ = workbench.catalog().members(list);
+  const QString word = list.isEmpty() ? tr("element") : member_word(list);
+  dialog->setWindowTitle(holder.isEmpty()
+                             ? tr("New %1").arg(word)
+                             : tr("New %1 of %2").arg(word, title_at(workbench.tree(), holder)));
+  dialog->kinds_ = list.isEmpty()
+                       ? workbench.catalog().declared_in(place_of(workbench.tree(), holder))
+                       : workbench.catalog().members(list);
   for (const Kind& kind : dialog->kinds_) {
     auto* item = new QListWidgetItem(kind.name, dialog->choice_);
     item->setToolTip(kind.description);
@@ -158,6 +160,12 @@ bool ElementDialog::choose(const QString& kind) {
   }
   return false;
 }
+
+QString ElementDialog::kind() const {
+  return pages_.empty() ? QString() : pages_.front().kind.name;
+}
+
+QString ElementDialog::word() const { return list_.isEmpty() ? kind() : member_word(list_); }
 
 // The coordinator that is already there.
 ElementPlace ElementDialog::present() const {
@@ -272,7 +280,7 @@ QString ElementDialog::markup(const std::map<QString, QString>& changed) const {
 QStringList ElementDialog::edits() const {
   QStringList edits;
   if (makes_) {
-    const QString place = (holder_.isEmpty() ? QString() : holder_ + '/') + member_word(list_) +
+    const QString place = (holder_.isEmpty() ? QString() : holder_ + '/') + word() +
                           (present().element ? "=" : "[+]=");
     const auto& values = pages_.front().form->values();
     const auto given = [&](const char* name) {
@@ -342,8 +350,8 @@ void ElementDialog::accept() {
   }
   const QString name = !makes_ ? tr("edit %1").arg(title_at(workbench_.tree(), path_))
                        : made.front().section('=', 0, 0).endsWith("[+]")
-                           ? tr("add %1").arg(member_word(list_))
-                           : tr("replace %1").arg(member_word(list_));
+                           ? tr("add %1").arg(word())
+                           : tr("replace %1").arg(word());
   buttons_->setEnabled(false);
   workbench_.edit(made, name, {}, this, [this](const Problems& problems) {
     buttons_->setEnabled(true);

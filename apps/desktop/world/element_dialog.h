@@ -30,8 +30,9 @@ class ElementDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// Adds to the list `list` ("sensors") of the element at `holder` ("robot[r1]"). If that already
-  /// has a coordinator, the dialog edits or replaces it.
+  /// Adds to the list `list` ("sensors") of the element at `holder` ("robot[r1]"); with "" one of
+  /// the elements that a plugin declares for what is there. If that already has a coordinator, the
+  /// dialog edits or replaces it.
   static ElementDialog* make(Workbench& workbench, const QString& holder, const QString& list,
                              QWidget* parent);
   /// Edits the element at `path`; returns null, with a sentence, if there is nothing to edit.
@@ -42,6 +43,8 @@ class ElementDialog : public QDialog {
   void begin_with(const QString& name, const QString& value);
   /// Shows the form of this kind. Returns false if there is no kind of that name.
   bool choose(const QString& kind);
+  /// The name of the chosen kind.
+  QString kind() const;
 
   /// After a training the dialog stays open, with the learning curve and the button Close.
   void accept() override;
@@ -58,6 +61,8 @@ class ElementDialog : public QDialog {
 
   ElementDialog(Workbench& workbench, QWidget* parent);
   ElementPlace present() const;
+  /// The word for what it makes, in paths.
+  QString word() const;
   void show_kind(const Kind& kind);
   void add_page(const QString& title, const QString& path, const Kind& kind, const Json& values);
   /// `changed`: attributes that differ from those in the form.
