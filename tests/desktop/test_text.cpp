@@ -173,6 +173,40 @@ TEST_CASE("elements, attributes and choices are completed from the catalog") {
   CHECK(complete(kCatalog, QStringLiteral("<world><robot dr")).prefix == QStringLiteral("dr"));
 }
 
+TEST_CASE("elements in elements of plugins are completed at any depth") {
+  const elsie::desktop::Catalog catalog(nlohmann::ordered_json::parse(R"({
+    "elements": {
+      "robot": {"attributes": [], "children": ["behaviors", "coordinator"]},
+      "behaviors": {"attributes": [], "children": [], "holds": "behavior"},
+      "coordinator": {"attributes": [], "children": [], "holds": "coordinator"},
+      "state": {"attributes": [{"name": "of_another_kind"}], "children": []}},
+    "plugins": [
+      {"name": "states", "kind": "coordinator", "parameters": [], "elements": [
+        {"name": "state", "list": 0, "nests": true, "parameters": [{"name": "behavior"}],
+         "elements": [{"name": "way", "list": 1, "parameters": [{"name": "to"}]}]},
+        {"name": "group", "list": 0, "parameters": []},
+        {"name": "note", "list": 2, "parameters": []}]},
+      {"name": "blend", "kind": "behavior", "parameters": [], "holds_behaviors": true}]})"));
+  const auto words = [&](const char* inside) {
+    return complete(catalog, QStringLiteral("<robot><coordinator>") + QString::fromUtf8(inside))
+        .words.join(u' ');
+  };
+  CHECK(words("<states><") == QStringLiteral("group note state"));
+  CHECK(words("<states><state><") == QStringLiteral("group state way"));
+  CHECK(words("<states><state><state><state><") == QStringLiteral("group state way"));
+  CHECK(words("<states><state><state ") == QStringLiteral("behavior"));
+  CHECK(words("<states><state><state><way ") == QStringLiteral("to"));
+  CHECK(words("<states><state><way/></state><") == QStringLiteral("group note state"));
+  CHECK(words("<states><group><") == QString());
+  // A behaviour that holds others has their lists, and these are what they are in a robot.
+  const auto completed = [&](const char* text) {
+    return complete(catalog, QString::fromUtf8(text)).words.join(u' ');
+  };
+  CHECK(completed("<robot><behaviors><blend><") == QStringLiteral("behaviors coordinator"));
+  CHECK(completed("<robot><behaviors><blend><coordinator><states><state ") ==
+        QStringLiteral("behavior"));
+}
+
 TEST_CASE("Ctrl+Space takes the only word that fits") {
   WorldEditor editor;
   editor.set_catalog(kCatalog);

@@ -397,3 +397,46 @@ TEST_CASE("A timeline that cannot be drawn says why, and leaves no file") {
   CHECK_THROWS_AS(save_timeline({trace, {}, {}, "", {}}, "/nowhere/a.png"), std::runtime_error);
   CHECK(folder.files() == 0);
 }
+
+TEST_CASE("The nodes of a graph have a row each, in the colour of what they were") {
+  TraceRobot robot = in_turn({{0, 0}});
+  traces::TraceGraph graph{
+      "arbiter_states", "arbiter_states", {{{"first"}, {"second"}, {"never"}}, {}}};
+  constexpr NodeState kDark = NodeState::dark;
+  graph.lights = {{0.0, {NodeState::running, kDark, kDark}},
+                  {120.0, {kDark, NodeState::running, kDark}}};
+  robot.graphs.push_back(graph);
+  const auto is_running = [](const Pixel& p) {
+    return p.red == 0xff && p.green == 0xd9 && p.blue == 0x66;
+  };
+  const Bitmap image = drawn(robot);
+  // Two rows, of which one is lit at each time; the legend is to the left.
+  CHECK(count_down(image, 500, is_running) == Approx(13).margin(2));
+  CHECK(count_down(image, 800, is_running) == Approx(13).margin(2));
+  const Folder folder;
+  save_timeline({trace_of({robot}), {}, {}, "", {}}, folder / "a.svg");
+  const std::string svg = folder.read("a.svg");
+  CHECK(svg.find(">first</text>") != std::string::npos);
+  CHECK(svg.find(">never</text>") == std::string::npos);
+  CHECK(svg.find(">running</text>") != std::string::npos);
+  CHECK(svg.find(">success</text>") == std::string::npos);
+}
+
+TEST_CASE("Of a graph with many nodes, those that were running the longest are shown") {
+  TraceRobot robot = in_turn({{0, 0}});
+  traces::TraceGraph graph{"arbiter_tree", "arbiter_tree", {}};
+  for (int i = 0; i < 50; ++i) {
+    graph.graph.nodes.push_back({"node " + std::to_string(i)});
+    std::vector<NodeState> lights(50);
+    lights[static_cast<std::size_t>(i)] = NodeState::running;
+    graph.lights.push_back({0.09 * i * i, std::move(lights)});  // each longer than the last
+  }
+  robot.graphs.push_back(graph);
+  const Folder folder;
+  save_timeline({trace_of({robot}), {}, {}, "", {}}, folder / "a.svg");
+  const std::string svg = folder.read("a.svg");
+  CHECK(svg.find("arbiter_tree: 30 of 50 nodes, those that were running the longest") !=
+        std::string::npos);
+  CHECK(svg.find(">node 49</text>") != std::string::npos);
+  CHECK(svg.find(">node 3</text>") == std::string::npos);
+}

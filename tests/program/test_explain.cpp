@@ -42,6 +42,37 @@ TEST_CASE("explain tells who silenced whom") {
   CHECK_THAT(explained.out, Catch::Contains("avoid_obstacle  share 1, weight 1: highest priority"));
 }
 
+TEST_CASE("explain says how long an automaton was in each state, also in its picture") {
+  Workplace here;
+  here.elsie("run worlds/fetch.xml --duration 20 --record run.mcap --quiet");
+  const auto explained = here.elsie("explain run.mcap --picture run.svg");
+  CHECK_THAT(explained.out,
+             Catch::Contains("\ngraph of arbiter_states, 0.00 to 20.00 s\n  node ") &&
+                 Catch::Contains("\n    to the gate ") && Catch::Contains("\n  loading "));
+  CHECK_THAT(here.read("run.svg"), Catch::Contains(">arbiter_states</text>") &&
+                                       Catch::Contains(">to the gate</text>") &&
+                                       Catch::Contains("#ffd966"));
+  const json told = json::parse(here.elsie("explain run.mcap --json").out);
+  const json& graph = told.at("robots")[0].at("graphs")[0];
+  CHECK(graph.at("path") == "arbiter_states");
+  double inner_s = 0.0;
+  for (const char* const name : {"to the gate", "to the store"}) {
+    for (const json& node : graph.at("nodes")) {
+      if (node.at("label") != name) continue;
+      CHECK(node.at("within") == 0);
+      CHECK(node.at("running").at("times") == 1);
+      inner_s += node.at("running").at("time_s").get<double>();
+    }
+  }
+  CHECK(inner_s > 1.0);
+  CHECK(graph.at("nodes")[0].at("running").at("time_s").get<double>() == Approx(inner_s));
+  here.elsie("run worlds/clutter.xml --duration 2 --record without.mcap --quiet");
+  CHECK_THAT(here.elsie("explain without.mcap").out, !Catch::Contains("graph of"));
+  CHECK_FALSE(json::parse(here.elsie("explain without.mcap --json").out)
+                  .at("robots")[0]
+                  .contains("graphs"));
+}
+
 TEST_CASE("explain lists the numbers that plugins published in the time that it shows") {
   Workplace here;
   here.write("w.xml",

@@ -20,7 +20,8 @@ TEST_CASE("The official reader finds what was written, by the indexes and from t
       "worlds/nested.xml --duration 12.34 --record-times",
       "worlds/ten_robots.xml --duration 3 --record-rate 1000",
       "worlds/ten_robots.xml --duration 1 --record-robots r1,r4",  // a crowd
-      "worlds/pushing.xml",  // to its end: events, boxes that are pushed
+      "worlds/pushing.xml",              // to its end: events, boxes that are pushed
+      "worlds/guard.xml --duration 20",  // graphs
   };
   for (const char* arguments : runs) {
     INFO(arguments);

@@ -41,6 +41,28 @@ TEST_CASE(
   CHECK(here.read("run.png") == here.read("alone/again.png"));
 }
 
+TEST_CASE("replay draws the graph that the run drew, or as it was at another time") {
+  const Workplace here;
+  here.elsie("run worlds/fetch.xml --duration 20 --record run.mcap --graph run.svg --quiet");
+  CHECK(here.elsie("replay run.mcap --graph again.svg").exit_code == 0);
+  CHECK(here.read("run.svg").size() > 1000);
+  CHECK(here.read("again.svg") == here.read("run.svg"));
+  CHECK(here.elsie("replay run.mcap --graph r1=early.svg --at 1").exit_code == 0);
+  CHECK_THAT(here.read("early.svg"), Catch::Contains("<title>to the gate: running</title>") &&
+                                         Catch::Contains("r1: at 1 s"));
+  const auto refused = [&](const std::string& options, const std::string& sentence) {
+    const auto run = here.elsie("replay " + options);
+    CHECK(run.exit_code == 2);
+    CHECK_THAT(run.err, Catch::Contains(sentence));
+  };
+  refused("run.mcap --graph r2=no.svg", "--graph: the recording has no graph of the robot 'r2'");
+  refused("run.mcap --graph no.gif", "--graph: a picture's name must end in .png or .svg");
+  refused("run.mcap --graph no.svg --at 21", "--at: the recording ends at 20 s");
+  refused("run.mcap --at 1", "--at: there is nothing to draw; expected --picture or --graph, too");
+  here.elsie("run worlds/open_arena.xml --duration 1 --record plain.mcap --quiet");
+  refused("plain.mcap --graph no.svg", "--graph: the recording has no graph of a robot");
+}
+
 TEST_CASE("replay draws what was there at any time") {
   const Workplace here;
   here.elsie("run worlds/four_resources.xml --duration 30 --record run.mcap");

@@ -1,4 +1,5 @@
 // Sessions: the stored past of a run, which is that of a recording.
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -324,4 +325,32 @@ TEST_CASE("The names of numbers come with their units, and with what plugins pub
   CHECK(answer["units"]["r1/speed"] == "m/s");
   CHECK_FALSE(answer["units"].contains("r1/ahead/hit"));
   CHECK_FALSE(unpacked<float>(answer["values"]).empty());
+}
+
+TEST_CASE("The past has what was lit in graphs, as a number for each node") {
+  Session session;
+  session.open(R"(<world format="1"><robots><robot id="r1"><behaviors><wander/></behaviors>
+    <coordinator><arbiter_states>
+      <state name="go" behavior="wander"><transition to="stand" after="1"/></state>
+      <state name="stand" ends="success"/>
+    </arbiter_states></coordinator></robot></robots><limits time="2"/></world>)");
+  session.ask({{"do", "run"}});
+  session.end_of_run();
+  const std::vector<std::string> names{"r1/arbiter_states/nodes/0", "r1/arbiter_states/nodes/1"};
+  Past past;
+  past.ask(session, {{"do", "numbers"}, {"names", names}});
+  const auto& go = past.values.at(names[0]);
+  const auto& stand = past.values.at(names[1]);
+  REQUIRE(go.size() == past.times.size());
+  for (std::size_t i = 0; i < go.size(); ++i) {
+    CAPTURE(past.times[i]);
+    if (i == 0) {
+      CHECK(std::isnan(go[i]));  // nothing was decided yet
+    } else if (std::abs(past.times[i] - 1.0) > 0.03) {
+      CHECK(go[i] == (past.times[i] < 1.0 ? 1.0F : 0.0F));
+      CHECK(stand[i] == (past.times[i] < 1.0 ? 0.0F : 1.0F));
+    }
+  }
+  const auto offered = past.last["names"];
+  CHECK(std::count(offered.begin(), offered.end(), names[1]) == 1);
 }

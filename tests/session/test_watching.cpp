@@ -19,8 +19,8 @@ Json watch(Session& session, const std::vector<std::string>& what,
   return session.ask({{"do", "watch"}, {"what", what}, {"robots", robots}});
 }
 
-const std::vector<std::string> kEverything{"decisions", "sensors", "cameras", "fuzzy",
-                                           "measures",  "fields",  "lights"};
+const std::vector<std::string> kEverything{"decisions", "sensors",  "cameras", "fuzzy",
+                                           "graphs",    "measures", "fields",  "lights"};
 
 void open_shipped(Session& session, const std::string& world) {
   const std::string file = test::source_path("worlds/" + world);
@@ -141,8 +141,47 @@ TEST_CASE("A fuzzy coordinator shows its rules' inputs and outputs") {
   CHECK(found);
 }
 
+TEST_CASE("The graphs of coordinators come with what is lit in them, nested ones by their paths") {
+  Session session;
+  session.open(R"(<world format="1"><robots>
+    <robot id="r1">
+      <behaviors>
+        <blend id="errand">
+          <behaviors><wander/></behaviors>
+          <coordinator><arbiter_tree><run behavior="wander"/></arbiter_tree></coordinator>
+        </blend>
+      </behaviors>
+      <coordinator><arbiter_states>
+        <state name="work"><state name="go" behavior="errand">
+          <transition to="stand" after="0.1"/></state></state>
+        <state name="stand" ends="success"/>
+      </arbiter_states></coordinator>
+    </robot>
+    <robot id="r2" x="1"><behaviors><wander/></behaviors>
+      <coordinator><arbiter_suppression/></coordinator></robot>
+    </robots></world>)");
+  watch(session, {"graphs"});
+  const Json begun = session.event("state");
+  CHECK(begun["robots"][1]["graphs"].empty());
+  const Json& graphs = begun["robots"][0]["graphs"];
+  REQUIRE(graphs.size() == 2);
+  CHECK(graphs[0]["path"] == "arbiter_states");
+  CHECK(graphs[0]["nodes"] == Json::parse(R"([{"label": "work"}, {"label": "go", "within": 0},
+                                              {"label": "stand"}])"));
+  CHECK(graphs[0]["edges"] == Json::parse(R"([{"from": 1, "to": 2, "label": "after 0.1 s"}])"));
+  CHECK(graphs[0]["running"] == Json({0, 1}));
+  CHECK(graphs[1]["path"] == "errand/arbiter_tree");
+  CHECK(graphs[1]["running"].empty());
+
+  const Json going = step(session)["robots"][0]["graphs"];
+  CHECK(going[1]["running"] == Json({0}));
+  CHECK(step(session, 20)["robots"][0]["graphs"][0]["running"] == Json({2}));
+  watch(session, {"sensors"});
+  CHECK_FALSE(session.event("state")["robots"][0].contains("graphs"));
+}
+
 TEST_CASE("Whatever is watched, the run is the same") {
-  const std::string world = GENERATE("find_resource.xml", "contexts.xml");
+  const std::string world = GENERATE("find_resource.xml", "contexts.xml", "fetch.xml");
   Session session;
   open_shipped(session, world);
   watch(session, kEverything);
