@@ -4,11 +4,15 @@
 #include <fstream>
 #include <memory>
 #include <optional>
+#include <span>
+#include <stdexcept>
 #include <string>
 
 #include <catch2/catch.hpp>
 #include <malloc.h>
 
+#include "elsie/api/coordinator.h"
+#include "elsie/api/remember.h"
 #include "elsie/plugin/abi_word.h"
 #include "elsie/recording/csv_recorder.h"
 
@@ -33,6 +37,52 @@ world::Robot numbered_robot(const std::string& id, double y, const world::Behavi
   return made;
 }
 
+/// Commands the number "version" of its first member, and how often it was asked.
+class Watcher final : public Coordinator, public Remembers {
+ public:
+  bool strict = false;  // otherwise "number" will do, too
+
+  void equipped(std::span<const Member> members, const Perception&) override {
+    const auto all = members[0].published();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) {
+      return one.name == "version" || (!strict && one.name == "number");
+    });
+    if (found == all.end()) throw std::invalid_argument("its member publishes no 'version'");
+    version_ = static_cast<std::size_t>(found - all.begin());
+    asked_ = 0;
+  }
+  Motion coordinate(std::span<Member> members, const Perception&) override {
+    members[0].respond();
+    return WheelPair().motion(
+        {0.01 * members[0].published(version_), 0.01 * static_cast<double>(++asked_)});
+  }
+  void remember(Memory& memory) override { memory("asked", asked_); }
+
+ private:
+  std::size_t version_ = 0;
+  std::int64_t asked_ = 0;
+};
+
+class Holds final : public Behavior {
+ public:
+  Coordination* inside = nullptr;
+  Response respond(const Perception& now) override { return inside->respond(now); }
+};
+
+/// Commands the place of "level" among the fields of the first reading.
+class Looks final : public Behavior {
+ public:
+  void equipped(const Perception& example) override {
+    const auto& fields = example.all_readings()[0].declaration->fields;
+    place_ = 0.0;
+    while (fields[static_cast<std::size_t>(place_)].name != "level") place_ += 1.0;
+  }
+  Response respond(const Perception&) override { return WheelPair().motion({place_, place_}); }
+
+ private:
+  double place_ = 0.0;
+};
+
 /// A world of version 1, and what the next versions make of it.
 class Stage {
  public:
@@ -42,7 +92,14 @@ class Stage {
   }
 
   Simulation& start() {
-    host = std::make_shared<const plugin::Host>(versions.host());
+    plugin::Host made = versions.host();
+    // These stay, whatever becomes of the library.
+    made.add(declare<Watcher>(PluginKind::coordinator, "watcher", "Commands a published number",
+                              parameter("strict", &Watcher::strict)));
+    made.add(
+        declare<Holds>(PluginKind::behavior, "holds", "Holds", holds_behaviors(&Holds::inside)));
+    made.add(declare<Looks>(PluginKind::behavior, "looks", "Commands the place of a field"));
+    host = std::make_shared<const plugin::Host>(std::move(made));
     simulation.emplace(world, *host);
     return *simulation;
   }
@@ -255,6 +312,51 @@ TEST_CASE("A version that cannot be used leaves the old one in place, on all rob
   // And it is not in the way of a good one.
   stage.replace(11);
   CHECK(stage.step().left == Approx(0.22));
+}
+
+TEST_CASE("Coordinators that stay find published numbers where the new version has them") {
+  auto holds = behavior("holds");
+  auto& inside = holds.inside.emplace_back();
+  inside.behaviors.push_back(behavior("numbered"));
+  inside.coordinator.emplace();
+  inside.coordinator->plugin = inside.coordinator->id = "watcher";
+  Stage stage(holds);
+  stage.world.robots.push_back(numbered_robot("r2", 2.0, behavior("numbered")));
+  stage.world.robots[1].coordinator->plugin = "watcher";
+  stage.world.robots[1].coordinator->parameters["strict"] = true;
+  stage.start();
+  const auto both = [&](double version, double asked) {
+    stage.step();
+    for (std::size_t i = 0; i < 2; ++i) {
+      CAPTURE(i);
+      const WheelRates rates = elsie::test::rates(stage.simulation->robot(i).command);
+      CHECK(rates.left == Approx(0.01 * version));
+      CHECK(rates.right == Approx(0.01 * asked));
+    }
+  };
+  both(1, 1);
+  const Replacement replacement = stage.replace(2, 'p');
+  CHECK(replacement.objects.size() == 3);  // behaviours, and the coordinator around that of r1
+  both(2, 2);
+
+  // Of two that stay, the second does not find its number: the replacement is refused, and the
+  // first one finds it where it was.
+  CHECK_THAT(stage.refusal(3, 'u'),
+             Contains("robot 'r2', coordinator: its member publishes no 'version'"));
+  both(2, 3);
+  stage.replace(4);
+  both(4, 4);
+}
+
+TEST_CASE("Behaviours that stay are equipped again when a sensor is replaced") {
+  Stage stage(behavior("looks"));
+  stage.add_levels();
+  stage.start();
+  CHECK(stage.step().left == Approx(0.0));
+  stage.replace(2, 'v');
+  CHECK(stage.step().left == Approx(1.0));
+  CHECK_THAT(stage.refusal(3, 'k'), Contains("makes readings of the kind 'other' now"));
+  CHECK(stage.step().left == Approx(1.0));
 }
 
 TEST_CASE("A file that is no library for this program, or gone, leaves the old one in place") {

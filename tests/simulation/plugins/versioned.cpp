@@ -82,6 +82,9 @@ class Numbered final : public elsie::Behavior, public elsie::Remembers {
     return response;
   }
 
+  double version() const { return number(); }
+  double asked() const { return static_cast<double>(asked_); }
+
  private:
   static inline int made = 0;
   std::int64_t asked_ = 0;
@@ -165,10 +168,18 @@ elsie::ParameterItem<Numbered, double> stale() {
                           {.meaning = "of no use", .required = mode('q')});
 }
 
+/// The first or the second number that it publishes, which change places in the mode 'p'.
+auto published(bool is_first) {
+  const bool is_version = is_first == mode('p');
+  return elsie::publishes(is_version ? named("version", 'u', "number") : "asked",
+                          is_version ? &Numbered::version : &Numbered::asked);
+}
+
 }  // namespace
 
 ELSIE_BEHAVIOR(Numbered, named("numbered", 'g', "gone"), "Answers its number", gain(), stale(),
                elsie::parameter("draws", &Numbered::draws, {.meaning = "answers chance"}),
+               published(true), published(false),
                elsie::raises(named("beat", 'e', "bong"), "every other time"));
 ELSIE_BEHAVIOR(Forgetful, "forgetful", "Counts");
 ELSIE_BEHAVIOR(Holder, "holder", "Holds", elsie::holds_behaviors(&Holder::inside));

@@ -34,15 +34,12 @@ bool differ_for_good(const plugin::DeclaredElement& around, const std::vector<wo
       });
 }
 
-void equip(PluginObject& each, const std::optional<Setup>& setup, Memory memory,
+void equip(PluginObject& each, const std::optional<Setup>& setup, const Memory& memory,
            const Example& example) {
   if (setup) {
     plugin::apply_parameters(*each.declaration, *each.held, setup->parameters, setup->elements);
   }
-  each.equip(*each.held, example);
-  if (auto* const remembers = dynamic_cast<Remembers*>(each.held.get())) {
-    remembers->remember(memory);
-  }
+  equip_again(each, memory, example);
 }
 
 }  // namespace

@@ -24,6 +24,13 @@ Memory memory_of(Component& object) {
   return memory;
 }
 
+void equip_again(PluginObject& object, Memory memory, const Example& example) {
+  object.equip(*object.held, example);
+  if (auto* const remembers = dynamic_cast<Remembers*>(object.held.get())) {
+    remembers->remember(memory);
+  }
+}
+
 void PluginObject::make(const plugin::Host& host, std::vector<base::Problem>& problems) {
   held = blaming(*use, problems, [&] {
     if (!declaration) {

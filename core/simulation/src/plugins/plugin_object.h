@@ -39,6 +39,10 @@ struct Example {
 /// The memory of an object; empty if its class does not derive from Remembers.
 Memory memory_of(Component& object);
 
+class PluginObject;
+/// Equips an object that stays, which keeps its memory. Passes on exceptions of the plugin.
+void equip_again(PluginObject& object, Memory memory, const Example& example);
+
 /// One plugin object and the simulator's data about it. A crowd has millions of them.
 class PluginObject {
  public:

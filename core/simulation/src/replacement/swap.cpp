@@ -176,10 +176,18 @@ void Swap::hand_over(const Example& example) {
       said.remembers = true;
     }
   });
+  for (const auto& [object, path] : staying_) {
+    run(*object, path, [&, object = object] {
+      const Memory memory = memory_of(*object->held);
+      again_.add([object, memory, example] { equip_again(*object, memory, example); });
+      equip_again(*object, memory, example);
+    });
+  }
 }
 
 Replacement Swap::settle() {
   undo_.settle();
+  again_.settle();
   return std::move(replacement_);
 }
 

@@ -30,6 +30,7 @@ class Swap {
   void begin_robot(const std::string& id) {
     robot_ = id;
     first_ = exchanged_.size();
+    staying_.clear();
   }
   /// Returns whether this robot has a new object.
   bool concerns_robot() const { return exchanged_.size() > first_; }
@@ -38,6 +39,9 @@ class Swap {
   /// old parameters that it still declares; the world's description drops the others, too. Throws
   /// ReplacementRefused.
   bool exchange(PluginObject& object, const std::string& path);
+
+  /// Notes that this object of the robot stays and could see a difference: it is equipped again.
+  void stays(PluginObject& object, const std::string& path) { staying_.push_back({&object, path}); }
 
   /// The world with the parameters that the plugins of the new host still declare.
   world::World adapted(world::World world) const;
@@ -56,7 +60,8 @@ class Swap {
     }
   }
 
-  /// Equips and resets the robot's new objects, and gives them the memory of the old ones.
+  /// Equips and resets the robot's new objects, and gives them the memory of the old ones; equips
+  /// again what stays.
   void hand_over(const Example& example);
 
   /// Keeps the exchanges and destroys the old objects. Returns the exchanges.
@@ -81,6 +86,8 @@ class Swap {
   std::size_t first_ = 0;             // index of this robot's first exchange
   std::vector<Exchanged> exchanged_;  // one for each of replacement_.objects
   Replacement replacement_;
+  std::vector<std::pair<PluginObject*, std::string>> staying_;  // with their paths
+  Undo again_;  // equips again what stays, which looks at what undo_ restores before
   Undo undo_;
 };
 

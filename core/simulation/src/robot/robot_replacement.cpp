@@ -45,9 +45,12 @@ void Robot::replace(Swap& swap, const Cameras& cameras) {
   }
   replace_drive(swap);
   if (localisation_) swap.exchange(*localisation_, "localisation");
+  const bool has_new_body = swap.concerns_robot();
   controller_->for_each(
-      Order::inner_first, "", "",
-      [&](PluginObject& each, const std::string& path, const auto&) { swap.exchange(each, path); });
+      Order::inner_first, "", "", [&](PluginObject& each, const std::string& path, const auto&) {
+        const bool sees_more = has_new_body || each.kind == PluginKind::coordinator;
+        if (!swap.exchange(each, path) && sees_more) swap.stays(each, path);
+      });
   forget_messages();
   if (swap.concerns_robot()) {
     group_readings();
