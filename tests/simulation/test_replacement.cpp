@@ -348,6 +348,39 @@ TEST_CASE("Coordinators that stay find published numbers where the new version h
   both(4, 4);
 }
 
+TEST_CASE("What is under way when its library is replaced is heard, and then the library goes") {
+  // With latency, commands wait in the horn, too.
+  const bool is_late = GENERATE(false, true);
+  CAPTURE(is_late);
+  Stage stage(behavior("talker"));
+  stage.world.robots[0].coordinator.reset();
+  stage.world.robots.push_back(numbered_robot("r2", 2.0, behavior("numbered")));
+  for (world::Robot& robot : stage.world.robots) {
+    world::MountedUse& horn = robot.actuators.emplace_back();
+    horn.plugin = horn.id = "horn";
+    if (is_late) horn.elements.push_back({"failure", {{"latency", 0.03}}, {}, {}, {}});
+  }
+  Simulation& simulation = stage.start();
+  const auto listen = [&](int steps) {
+    std::vector<double> heard;
+    for (int i = 0; i < steps; ++i) {
+      simulation.step();
+      for (const HeardMessage& each : simulation.heard(1)) {
+        each.message->visit_fields(
+            [&](const ReadingField& field) { heard.push_back(field.number(0)); });
+      }
+    }
+    return heard;
+  };
+  CHECK(listen(2).empty());
+  stage.replace(2);
+  CHECK(Versions::loaded() == 2);
+  CHECK(listen(12) == std::vector<double>{-1.0, 1.0});
+  CHECK(Versions::loaded() == 1);
+  simulation.reset();
+  CHECK(listen(12) == std::vector<double>{-2.0, 2.0});
+}
+
 TEST_CASE("Behaviours that stay are equipped again when a sensor is replaced") {
   Stage stage(behavior("looks"));
   stage.add_levels();

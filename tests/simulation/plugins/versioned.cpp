@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <elsie/api/actuator.h>
 #include <elsie/api/behavior.h>
 #include <elsie/api/coordinator.h>
 #include <elsie/api/remember.h>
@@ -120,6 +121,44 @@ class First final : public elsie::Coordinator {
   }
 };
 
+struct NumberMessage {
+  static constexpr const char* kind = "number";
+  double number = 0.0;
+  template <class Visitor>
+  void visit(Visitor&& visitor) const {
+    visitor("number", number);
+  }
+};
+
+/// Says its number, once.
+class Talker final : public elsie::Behavior, public elsie::Remembers {
+ public:
+  void reset(elsie::Random&) override { has_spoken_ = false; }
+  void remember(elsie::Memory& memory) override { memory("has_spoken", has_spoken_); }
+  elsie::Response respond(const elsie::Perception&) override {
+    elsie::Response response;
+    if (!has_spoken_) response.say(NumberMessage{number()});
+    has_spoken_ = true;
+    return response;
+  }
+
+ private:
+  bool has_spoken_ = false;
+};
+
+/// Says a number of its own in its first period, and what it is to say half a second later.
+class Horn final : public elsie::ActuatorOf<elsie::SayCommand> {
+ public:
+  void act(const elsie::SayCommand& said, const elsie::ActuatorContext& now) override {
+    const elsie::Transmission how{.range_m = 10.0, .delay_s = 0.05};
+    if (now.time_s == 0.0) {
+      const elsie::AnyMessage own(NumberMessage{-number()});
+      now.robot->transmit(std::make_shared<const elsie::AnyMessage>(own), "", how);
+    }
+    if (now.is_new) now.robot->transmit(said.message, said.to, how);
+  }
+};
+
 struct LevelReading {
   static constexpr const char* kind = "level";
   double level = 0.0;
@@ -184,6 +223,8 @@ ELSIE_BEHAVIOR(Numbered, named("numbered", 'g', "gone"), "Answers its number", g
 ELSIE_BEHAVIOR(Forgetful, "forgetful", "Counts");
 ELSIE_BEHAVIOR(Holder, "holder", "Holds", elsie::holds_behaviors(&Holder::inside));
 ELSIE_COORDINATOR(First, "numbered_first", "The first decides");
+ELSIE_BEHAVIOR(Talker, "talker", "Says its number", elsie::only_acts());
+ELSIE_ACTUATOR(Horn, "horn", "Says what it is told", elsie::hears_messages());
 ELSIE_SENSOR(Level, named("level", 'k', "old_level"), "Reads its number");
 ELSIE_SENSOR(OtherLevel, named("other_level", 'k', "level"), "Reads nothing");
 ELSIE_BEHAVIOR(Leveller, "leveller", "Answers the level", elsie::needs<LevelReading>());

@@ -34,14 +34,6 @@ bool differ_for_good(const plugin::DeclaredElement& around, const std::vector<wo
       });
 }
 
-void equip(PluginObject& each, const std::optional<Setup>& setup, const Memory& memory,
-           const Example& example) {
-  if (setup) {
-    plugin::apply_parameters(*each.declaration, *each.held, setup->parameters, setup->elements);
-  }
-  equip_again(each, memory, example);
-}
-
 }  // namespace
 
 bool EditTransaction::keeps(PluginObject& object, const world::PluginUse& was,
@@ -67,11 +59,11 @@ void EditTransaction::equip_again(PluginObject& object, const Example& example) 
       object.try_out(*tuned.now, example);
     }
     const Memory memory = memory_of(*object.held);
-    again_->push_back([&object, before = tuned.before, memory, example] {
+    again_.add([&object, before = tuned.before, memory, example] {
       std::vector<base::Problem> ignored;
-      blaming(*object.use, ignored, [&] { equip(object, before, memory, example); });
+      blaming(*object.use, ignored, [&] { object.equip_again(before, memory, example); });
     });
-    equip(object, tuned.now, memory, example);
+    object.equip_again(tuned.now, memory, example);
   });
 }
 

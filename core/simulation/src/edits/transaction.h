@@ -56,6 +56,7 @@ class EditTransaction {
   /// Keeps the edit.
   void settle() {
     undo_.settle();
+    again_.settle();
     if (settling_) settling_();
   }
   std::vector<base::Problem>& problems() { return problems_; }
@@ -97,10 +98,6 @@ class EditTransaction {
   /// Returns whether the object itself must be equipped again.
   bool has_other(const PluginObject& object) const { return again_with_.contains(&object); }
 
-  /// Begins to equip objects of one robot again. Returns the actions that undo this; call them
-  /// after everything that the objects look at was restored.
-  using Actions = std::vector<std::function<void()>>;
-  std::shared_ptr<const Actions> begin_robot() { return again_ = std::make_shared<Actions>(); }
   /// Equips an object that stays and sets the parameters that differ; it keeps its memory.
   void equip_again(PluginObject& object, const Example& example);
 
@@ -108,6 +105,7 @@ class EditTransaction {
   const plugin::Host& host_;
   std::uint64_t seed_;
   std::string time_;
+  Undo again_;  // equips again what stays, which looks at what undo_ restores before
   Undo undo_;
   std::function<void()> settling_;
   std::vector<base::Problem> problems_;
@@ -117,7 +115,6 @@ class EditTransaction {
     std::optional<Setup> before, now;
   };
   std::map<const PluginObject*, Tuned> again_with_;
-  std::shared_ptr<Actions> again_;
 };
 
 }  // namespace elsie::simulation

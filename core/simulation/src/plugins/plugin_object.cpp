@@ -24,13 +24,6 @@ Memory memory_of(Component& object) {
   return memory;
 }
 
-void equip_again(PluginObject& object, Memory memory, const Example& example) {
-  object.equip(*object.held, example);
-  if (auto* const remembers = dynamic_cast<Remembers*>(object.held.get())) {
-    remembers->remember(memory);
-  }
-}
-
 void PluginObject::make(const plugin::Host& host, std::vector<base::Problem>& problems) {
   held = blaming(*use, problems, [&] {
     if (!declaration) {
@@ -73,6 +66,13 @@ std::optional<Camera> PluginObject::try_out(const Setup& setup, const Example& e
 void PluginObject::apply(Component& object, const Setup& setup, const Example& example) const {
   plugin::apply_parameters(*declaration, object, setup.parameters, setup.elements);
   equip(object, example);
+}
+
+void PluginObject::equip_again(const std::optional<Setup>& setup, Memory memory,
+                               const Example& example) {
+  if (setup) plugin::apply_parameters(*declaration, *held, setup->parameters, setup->elements);
+  equip(*held, example);
+  if (auto* const remembers = dynamic_cast<Remembers*>(held.get())) remembers->remember(memory);
 }
 
 void PluginObject::reset(std::uint64_t seed, const std::string& path) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "elsie/api/behavior.h"
@@ -39,10 +40,6 @@ struct Example {
 /// The memory of an object; empty if its class does not derive from Remembers.
 Memory memory_of(Component& object);
 
-class PluginObject;
-/// Equips an object that stays, which keeps its memory. Passes on exceptions of the plugin.
-void equip_again(PluginObject& object, Memory memory, const Example& example);
-
 /// One plugin object and the simulator's data about it. A crowd has millions of them.
 class PluginObject {
  public:
@@ -71,10 +68,18 @@ class PluginObject {
   /// Calls equipped() of this object or of another one of its plugin; see Behavior::equipped().
   /// Passes on exceptions of the plugin.
   virtual void equip(Component& /*object*/, const Example& /*example*/) const {}
+  /// Equips the object, which stays, with these parameters or the present ones; it gets the memory.
+  void equip_again(const std::optional<Setup>& setup, Memory memory, const Example& example);
   /// The camera of an object of this plugin, if it has one.
   virtual std::optional<Camera> camera_of(const Component& /*object*/) const { return {}; }
   /// Resets the object, with the random stream of this path at its start. Its parameters stay.
   virtual void reset(std::uint64_t seed, const std::string& path);
+  /// The same message, which keeps the object's library loaded for as long as it is under way.
+  using Message = std::shared_ptr<const AnyMessage>;
+  Message lasting(const Message& message) const {
+    using Both = std::pair<std::shared_ptr<const plugin::Library>, Message>;  // released last
+    return {std::make_shared<Both>(held.get_deleter().library, message), message.get()};
+  }
 
   /// Data that few objects have.
   struct Extras {

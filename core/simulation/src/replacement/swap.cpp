@@ -179,8 +179,8 @@ void Swap::hand_over(const Example& example) {
   for (const auto& [object, path] : staying_) {
     run(*object, path, [&, object = object] {
       const Memory memory = memory_of(*object->held);
-      again_.add([object, memory, example] { equip_again(*object, memory, example); });
-      equip_again(*object, memory, example);
+      again_.add([object, memory, example] { object->equip_again({}, memory, example); });
+      object->equip_again({}, memory, example);
     });
   }
 }

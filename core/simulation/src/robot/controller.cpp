@@ -32,6 +32,15 @@ void require_sets(const CommandSets& sets, const world::PluginUse& use, Guard& g
   }
 }
 
+/// What is said may still be under way when a newer library replaces the speaker's.
+void keep_message(const PluginObject& speaker, Act& act) {
+  if (!(act.kind() == ReadingKind::of<SayCommand>())) return;
+  SayCommand said = *static_cast<const SayCommand*>(act.command());
+  if (!said.message) return;
+  said.message = speaker.lasting(said.message);
+  act = Act(act.actuator(), std::move(said));
+}
+
 void require_degrees(std::span<const double> desirability, const world::PluginUse& use,
                      Guard& guard) {
   for (const double degree : desirability) {
@@ -289,7 +298,8 @@ const Response& Controller::run(Member& member) {
   }
   if (slot.response.charge) setting_.requests.ask_for_charge();
   slot.actuators.clear();
-  for (const Act& act : slot.response.acts) {
+  for (Act& act : slot.response.acts) {
+    if (act.by().empty()) keep_message(slot, act);  // not of one inside
     slot.actuators.push_back(
         setting_.guard.run(*slot.use, [&] { return setting_.requests.actuator_for(act); }));
   }

@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 #include <variant>
 
 namespace elsie::simulation {
@@ -77,6 +78,15 @@ std::shared_ptr<void> DisturbedValue::memory(const Disturbable& object) {
   auto taken = std::move(spare_.back());
   spare_.pop_back();
   return taken;
+}
+
+void DisturbedValue::renew(const Disturbable& object, bool fits) {
+  spare_.clear();
+  if (!fits) samples_.clear();
+  for (Sample& sample : samples_) {
+    const auto before = std::exchange(sample.value, object.new_value());
+    object.copy_value(before.get(), sample.value.get());
+  }
 }
 
 bool DisturbedValue::update(Disturbable& object, double time_s, double period_s, bool is_new) {

@@ -39,6 +39,9 @@ class DisturbedValue {
     samples_.clear();
     spare_.clear();
   }
+  /// Keeps the values that are late for a newer object, in its memory, if they fit; else forgets
+  /// them.
+  void renew(const Disturbable& object, bool fits);
   /// Called instead while there are no updates.
   void wait(double period_s) { age_s_ += period_s; }
   /// How old the present value is, s; infinite before the first.

@@ -89,8 +89,6 @@ class Robot final : private RobotRequests {
   std::span<const HeardMessage> heard() const { return heard_; }
   /// Adds its messages that nobody has heard yet.
   void add_messages(base::Fnv1a& hash) const;
-  /// Forgets commands and messages, whose code may be in a library that is to be unloaded.
-  void forget_messages();
   /// How far its actuator reaches for something to hold, m; none: it holds nothing.
   const std::optional<double>& grasp(std::size_t actuator) const {
     return actuators_[actuator]->effect.grasp;
@@ -365,6 +363,10 @@ class Robot final : private RobotRequests {
   void visit_value(const PluginObject& slot, const ReadingDeclaration& declared,
                    const FieldVisit& visit) const;
   void update(SensorSlot& slot, const RobotSurroundings& surroundings, const Instant& now);
+  /// Exchanges a sensor or an actuator; returns whether it did. `makes`, `made`: its values.
+  template <class Slot>
+  static bool exchange(Swap& swap, Slot& slot, const std::string& path, const char* makes,
+                       const char* made);
   void replace_sensor(Swap& swap, SensorSlot& slot, const Cameras& cameras);
   void replace_drive(Swap& swap);
   /// Throws ReplacementRefused when a behaviour needs readings that no sensor produces.

@@ -81,6 +81,9 @@ void Robot::act(const Instant& now, const Fields& fields) {
                                   &slot->random, &slot->effects()};
     const std::size_t before = slot->under_way.size();
     guard_.step(*slot, [&] { slot->object().carry_out(context); });
+    for (std::size_t i = before; i < slot->under_way.size(); ++i) {
+      slot->under_way[i].message = slot->lasting(slot->under_way[i].message);
+    }
     tally_.talk.sent += static_cast<int>(slot->under_way.size() - before);
   }
 }
@@ -267,17 +270,6 @@ void Robot::add_messages(base::Fnv1a& hash) const {
         });
       }
     }
-  }
-}
-
-void Robot::forget_messages() {
-  controller_->forget_acts();
-  heard_.clear();
-  perception_.heard = {};
-  for (const auto& slot : actuators_) {
-    if (slot->object().kind() == ReadingKind::of<SayCommand>()) slot->forget();
-    slot->under_way.clear();
-    slot->sounding.clear();
   }
 }
 

@@ -38,13 +38,10 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
                             world::same_part(world::robot_spec(), "sensors", &was, &next) &&
                             world::same_part(world::robot_spec(), "actuators", &was, &next);
   // Added first, so it is undone last.
-  undo.add([this, again = transaction.begin_robot()] {
+  undo.add([this] {
     guard_.forgive();
     group_readings();
     trace_.clear();
-    for (const auto& equip : *again) {
-      equip();
-    }
   });
   undo.keep(state_, team_, resource_colours_, asked_, empty_, raised_, logged_);
   undo.keep(description_, body_frame_, truth_, drive_, drive_check_, joints_, joint_count_);

@@ -30,18 +30,9 @@ bool same_body(const BodyPlan& a, const BodyPlan& b) {
 void Robot::replace(Swap& swap, const Cameras& cameras) {
   swap.begin_robot(description_->id);
   swap.undo().add([this] { group_readings(); });  // undone last, after the old sensors
-  for (const auto& slot : sensors_) {
-    replace_sensor(swap, *slot, cameras);
-  }
+  for (const auto& slot : sensors_) replace_sensor(swap, *slot, cameras);
   for (const auto& slot : actuators_) {
-    const std::string path = "actuator[" + slot->use->id + "]";
-    const std::string kind = slot->object().kind().name;
-    if (swap.exchange(*slot, path) && kind != slot->object().kind().name) {
-      swap.refuse(path, "it takes commands of the kind '" +
-                            std::string(slot->object().kind().name) +
-                            "' now, and took some of the kind '" + kind +
-                            "' before; replace its element by an edit, or start a new run");
-    }
+    exchange(swap, *slot, "actuator[" + slot->use->id + "]", "it takes commands", "took");
   }
   replace_drive(swap);
   if (localisation_) swap.exchange(*localisation_, "localisation");
@@ -51,7 +42,7 @@ void Robot::replace(Swap& swap, const Cameras& cameras) {
         const bool sees_more = has_new_body || each.kind == PluginKind::coordinator;
         if (!swap.exchange(each, path) && sees_more) swap.stays(each, path);
       });
-  forget_messages();
+  controller_->forget_acts();  // their code may be in a library that is to be unloaded
   if (swap.concerns_robot()) {
     group_readings();
     check_needs();
@@ -59,18 +50,28 @@ void Robot::replace(Swap& swap, const Cameras& cameras) {
   }
 }
 
-void Robot::replace_sensor(Swap& swap, SensorSlot& slot, const Cameras& cameras) {
-  const std::string path = "sensor[" + slot.use->id + "]";
-  const std::string kind = slot.object().kind().name;
-  const bool had_camera = slot.extras().camera.has_value();
-  if (!swap.exchange(slot, path)) return;
-  std::optional<Camera> camera;
-  swap.run(slot, path, [&] { camera = slot.object().camera(); });
-  if (kind != slot.object().kind().name) {
-    swap.refuse(path, "it makes readings of the kind '" + std::string(slot.object().kind().name) +
-                          "' now, and made some of the kind '" + kind +
+template <class Slot>
+bool Robot::exchange(Swap& swap, Slot& slot, const std::string& path, const char* makes,
+                     const char* made) {
+  const ReadingKind before = slot.object().kind();
+  if (slot.disturbed) swap.undo().keep(*slot.disturbed);
+  if (!swap.exchange(slot, path)) return false;
+  const ReadingKind now = slot.object().kind();
+  if (!now.has_name_of(before)) {
+    swap.refuse(path, std::string(makes) + " of the kind '" + now.name + "' now, and " + made +
+                          " some of the kind '" + before.name +
                           "' before; replace its element by an edit, or start a new run");
   }
+  if (slot.disturbed) slot.disturbed->renew(slot.object(), now == before);
+  return true;
+}
+
+void Robot::replace_sensor(Swap& swap, SensorSlot& slot, const Cameras& cameras) {
+  const std::string path = "sensor[" + slot.use->id + "]";
+  const bool had_camera = slot.extras().camera.has_value();
+  if (!exchange(swap, slot, path, "it makes readings", "made")) return;
+  std::optional<Camera> camera;
+  swap.run(slot, path, [&] { camera = slot.object().camera(); });
   if (camera.has_value() != had_camera) {
     swap.refuse(path, "it would " + std::string(had_camera ? "lose" : "gain") +
                           " a camera; replace its element by an edit, or start a new run");
