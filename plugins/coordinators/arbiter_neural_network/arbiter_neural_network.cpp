@@ -1,6 +1,7 @@
-// Arbitration with learned priorities: only the behaviour with the largest output of the network
-// runs.
+// Arbitration with learned priorities: the behaviour with the largest output of the network
+// decides, and only that one runs, unless all are asked.
 #include <algorithm>
+#include <string>
 
 #include "priority_network.h"
 #include "winner.h"
@@ -9,10 +10,20 @@ namespace {
 
 class ArbiterNeuralNetwork final : public WithPriorityNetwork<WinnerTakesAll> {
  public:
+  std::string ask = "winner";
+
+  void configured() override {
+    WithPriorityNetwork::configured();
+    asks_all_ = ask == "all";
+  }
+
   elsie::Motion coordinate(std::span<elsie::Member> members,
                            const elsie::Perception& now) override {
     if (members.empty()) {
       return nobody(members, "");
+    }
+    for (elsie::Member& member : members) {
+      if (asks_all_) member.respond();
     }
     const std::span<const double> priority = priorities(now);
     // The first of equally large ones.
@@ -24,11 +35,20 @@ class ArbiterNeuralNetwork final : public WithPriorityNetwork<WinnerTakesAll> {
     }
     return command;
   }
+
+ private:
+  bool asks_all_ = false;
 };
 
 }  // namespace
 
 ELSIE_COORDINATOR(ArbiterNeuralNetwork, "arbiter_neural_network",
-                  "Runs only the behaviour to which a neural network gives the largest priority; "
+                  "Lets the behaviour decide to which a neural network gives the largest priority; "
                   "the first in the file wins a tie",
-                  elsie::needs<elsie::RangeReading>(), PRIORITY_NETWORK_PARAMETERS);
+                  elsie::needs<elsie::RangeReading>(),
+                  elsie::parameter("ask", &ArbiterNeuralNetwork::ask,
+                                   {.choices = {"winner", "all"},
+                                    .meaning = "`winner`: the others do not run; `all`: every "
+                                               "behaviour runs in each step, and the winner's "
+                                               "command counts"}),
+                  PRIORITY_NETWORK_PARAMETERS);

@@ -49,6 +49,38 @@ TEST_CASE("Arbitration runs the behaviour with the largest output, and no other"
   CHECK(team.members()[0].trace.inhibited_by == 1);
 }
 
+TEST_CASE("Asked to ask all, arbitration runs every behaviour, and the winner's command counts") {
+  Files files;
+  const std::string weights = files.weights({simple_network()});
+  for (const bool asks_all : {false, true}) {
+    CAPTURE(asks_all);
+    const Object arbiter = coordinator(
+        kArbiter, {{"weights", weights}, {"ask", std::string(asks_all ? "all" : "winner")}});
+    // The second one, which has a timer, drives ever faster.
+    double timer_s = 0.0;
+    Team team;
+    team.member("avoid", 1, wheels(-10, 10)).member("timed", 1, [&](const Perception& now) {
+      timer_s += now.period_s();
+      return wheels(timer_s, timer_s);
+    });
+    start(*arbiter, team);
+    for (int step = 0; step < 10; ++step) {
+      CHECK(rates(decide(*arbiter, team, 0.4, 0.7)) == WheelRates{-10, 10});
+    }
+    CHECK(team.asked(0) == 10);
+    CHECK(team.asked(1) == (asks_all ? 10 : 0));
+    CHECK(timer_s == Approx(asks_all ? 0.1 : 0.0));
+    const TraceRow& loser = team.trace("timed");
+    CHECK(loser.asked == asks_all);
+    CHECK(rates(loser.command).left == Approx(timer_s));
+    CHECK(loser.share == 0.0);
+    CHECK(loser.inhibited_by == 0);
+    CHECK(reason(team, 1) == "smaller priority");
+    // Once it decides, it goes on from there.
+    CHECK(rates(decide(*arbiter, team, 0.1, 0.2)).left == Approx(asks_all ? 0.11 : 0.01));
+  }
+}
+
 TEST_CASE("With equal outputs the first behaviour in the file wins") {
   Files files;
   const Object arbiter =
