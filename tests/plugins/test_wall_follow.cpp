@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <catch2/catch.hpp>
+
+#include "elsie/readings/lidar.h"
 
 #include "shipped.h"
 #include "situation.h"
@@ -236,6 +239,45 @@ TEST_CASE("After a reset, and when others drove meanwhile, no wall is remembered
   behavior->respond(beside(0.3, -90).perception());
   CHECK(behavior->respond(nothing().time(0.5).perception()).activation == 1.0);
   CHECK(behavior->respond(nothing().time(1.01).perception()).activation == 0.0);
+}
+
+TEST_CASE("It sees the same wall by a lidar") {
+  const auto by_lidar = [](double distance_m, double direction_deg) {
+    LidarReading scan;
+    scan.max_range_m = 2.0;
+    scan.first_rad = radians(150);
+    scan.step_rad = radians(1);
+    for (int ray = 0; ray <= 300; ++ray) {
+      const double towards = std::cos(radians(150.0 - ray - direction_deg));
+      scan.ranges_m.push_back(towards > 1e-9 ? std::min(2.0, distance_m / towards) : 2.0);
+    }
+    Situation now;
+    now.reading(scan);
+    return now;
+  };
+  for (const double direction : {-110.0, -90.0, -75.0}) {
+    for (const double distance : {0.25, 0.3, 0.5}) {
+      CAPTURE(direction, distance);
+      const Motion expected = answer(beside(distance, direction));
+      check_motion(answer(by_lidar(distance, direction)), expected.forward, expected.turn);
+    }
+  }
+  check_motion(answer(by_lidar(0.4, 90), {{"side", "left"}}), 0.2, 0.2 * 2 * 0.1 / 0.1);
+  check_motion(answer(by_lidar(0.29, 0)), 0, 1.5);
+  CHECK_NOTHROW(wall_follow()->equipped(by_lidar(2.0, 0).perception()));
+}
+
+TEST_CASE("The floor is no wall, and the sensors of segments see none") {
+  const auto activation = [](const Mounting& mounting) {
+    return wall_follow()
+        ->respond(Situation().reading(RangeReading{0.3, 1.0, true}, mounting).perception())
+        .activation;
+  };
+  const double aside = radians(-90);
+  CHECK(activation({{0, 0, 0.1}, aside, 0.0}) > 0.0);
+  CHECK(activation({{0, 0, 0.1}, aside, radians(-10)}) > 0.0);  // 5 cm above the floor
+  CHECK(activation({{0, 0, 0.1}, aside, radians(-20)}) == 0.0);
+  CHECK(activation({{0, 0, 0.1}, aside, 0.0, 1}) == 0.0);
 }
 
 TEST_CASE("wall_follow refuses what it cannot do") {

@@ -221,7 +221,6 @@ ELSIE_BEHAVIOR(
     Bug, "bug",
     "Goes to a place past unknown obstacles, along their boundaries; knows when it cannot get "
     "there",
-    elsie::needs<elsie::RangeReading>(),
     elsie::parameter(
         "algorithm", &Bug::algorithm,
         {.choices = {"bug1", "bug2"},
@@ -248,7 +247,7 @@ ELSIE_BEHAVIOR(
                      {.unit = "deg",
                       .min = 0,
                       .max = 60,
-                      .meaning = "range sensors look ahead up to this azimuth to either side, in "
+                      .meaning = "rays look ahead up to this azimuth to either side, in "
                                  "degrees, and to the side beyond it, up to 150"}),
     elsie::parameter(
         "lookahead", &Bug::lookahead,

@@ -1,4 +1,4 @@
-// The points at which range sensors and lidars see something.
+// The rays of range sensors and lidars, and the points at which they see something.
 #pragma once
 
 #include <cmath>
@@ -10,6 +10,14 @@
 #include <elsie/api/perception.h>
 #include <elsie/readings/lidar.h>
 
+/// A ray of a sensor, in the robot's frame.
+struct SensorRay {
+  elsie::Vector2 ray;                   // unit vector along it, seen from above
+  std::optional<elsie::Vector2> place;  // m, of the surface that it has hit; none: nothing is there
+
+  double azimuth_rad() const { return std::atan2(ray.y, ray.x); }
+};
+
 /// A surface that a ray has hit, in the robot's frame.
 struct SeenPoint {
   elsie::Vector2 place;  // m
@@ -18,18 +26,21 @@ struct SeenPoint {
   double azimuth_rad() const { return std::atan2(ray.y, ray.x); }
 };
 
-/// Calls use(SeenPoint) for each of them: beams first, then lidars, each with its rays from left to
-/// right. Leaves out what the sensors of segments see, and what is no higher than the floor.
+/// Calls use(SensorRay) for each of them: beams first, then lidars, each with its rays from left to
+/// right. Leaves out the sensors of segments. What is no higher than the floor is nothing.
 template <class Use>
-void for_each_seen_point(const elsie::Perception& now, Use use) {
+void for_each_ray(const elsie::Perception& now, Use use) {
   constexpr double kFloor = 0.005;  // m
   for (const auto& beam : now.readings<elsie::RangeReading>()) {
     const elsie::Mounting& at = beam.mounting();
+    if (at.segment != 0) continue;
     const double height = at.position.z + beam->distance_m * std::sin(at.pitch_rad);
-    if (!beam->hit || at.segment != 0 || (at.pitch_rad < 0.0 && height < kFloor)) continue;
-    const double level = beam->distance_m * std::cos(at.pitch_rad);
-    const elsie::Vector2 ray{std::cos(at.azimuth_rad), std::sin(at.azimuth_rad)};
-    use(SeenPoint{{at.position.x + level * ray.x, at.position.y + level * ray.y}, ray});
+    SensorRay seen{{std::cos(at.azimuth_rad), std::sin(at.azimuth_rad)}, {}};
+    if (beam->hit && !(at.pitch_rad < 0.0 && height < kFloor)) {
+      const double level = beam->distance_m * std::cos(at.pitch_rad);
+      seen.place = {at.position.x + level * seen.ray.x, at.position.y + level * seen.ray.y};
+    }
+    use(seen);
   }
   for (const auto& scan : now.readings<elsie::LidarReading>()) {
     const elsie::Mounting& at = scan.mounting();
@@ -37,18 +48,28 @@ void for_each_seen_point(const elsie::Perception& now, Use use) {
     const double ahead = std::cos(at.pitch_rad), up = std::sin(at.pitch_rad);
     const double c = std::cos(at.azimuth_rad), s = std::sin(at.azimuth_rad);
     for (std::size_t i = 0; i < scan->ranges_m.size(); ++i) {
-      const double range = scan->ranges_m[i];
-      if (!(range < scan->max_range_m)) continue;
+      const bool hit = scan->ranges_m[i] > 0.0 && scan->ranges_m[i] < scan->max_range_m;
+      const double range = hit ? scan->ranges_m[i] : 1.0;
       const double x = range * std::cos(scan->azimuth_rad(i));
       const double y = range * std::sin(scan->azimuth_rad(i));
-      if (up != 0.0 && at.position.z + x * up < kFloor) continue;
       const elsie::Vector2 way{c * ahead * x - s * y, s * ahead * x + c * y};
       const double level = std::hypot(way.x, way.y);
       if (!(level > 0.0)) continue;
-      use(SeenPoint{{at.position.x + way.x, at.position.y + way.y},
-                    {way.x / level, way.y / level}});
+      SensorRay seen{{way.x / level, way.y / level}, {}};
+      if (hit && !(up != 0.0 && at.position.z + x * up < kFloor)) {
+        seen.place = {at.position.x + way.x, at.position.y + way.y};
+      }
+      use(seen);
     }
   }
+}
+
+/// Calls use(SeenPoint) for each surface that one of these rays has hit.
+template <class Use>
+void for_each_seen_point(const elsie::Perception& now, Use use) {
+  for_each_ray(now, [&](const SensorRay& seen) {
+    if (seen.place) use(SeenPoint{*seen.place, seen.ray});
+  });
 }
 
 /// The azimuth of the nearest point that is seen in a corridor: from the robot's middle `ahead_m`
@@ -75,15 +96,10 @@ inline double body_radius(const elsie::OwnState& self) {
   return 0.5 * std::hypot(self.length_m, self.width_m);
 }
 
-/// The number of rays of the robot, without those of its segments.
+/// The number of these rays.
 inline std::size_t ray_count(const elsie::Perception& now) {
   std::size_t count = 0;
-  for (const auto& beam : now.readings<elsie::RangeReading>()) {
-    if (beam.mounting().segment == 0) ++count;
-  }
-  for (const auto& scan : now.readings<elsie::LidarReading>()) {
-    if (scan.mounting().segment == 0) count += scan->ranges_m.size();
-  }
+  for_each_ray(now, [&](const SensorRay&) { ++count; });
   return count;
 }
 

@@ -20,6 +20,7 @@
 #include <elsie/base/number_text.h>
 
 #include "inactive.h"
+#include "seen_points.h"
 #include "two_values.h"
 #include "wall_sight.h"
 
@@ -168,7 +169,7 @@ class WallPursuit {
 
 inline void WallPursuit::check(const elsie::Perception& example) const {
   using elsie::base::number_text;
-  const double corner = 0.5 * std::hypot(example.self().length_m, example.self().width_m);
+  const double corner = body_radius(example.self());
   if (set_.distance <= corner) {
     throw std::invalid_argument("distance is " + number_text(set_.distance, 6) +
                                 " m from the robot's middle to the wall, but the robot's own "
@@ -176,15 +177,15 @@ inline void WallPursuit::check(const elsie::Perception& example) const {
                                 number_text(corner, 6) + " m from there; give it a larger one");
   }
   bool ahead = false, aside = false;
-  for (const auto& beam : example.readings<elsie::RangeReading>()) {
-    ahead = ahead || sight_.looks_ahead(beam.azimuth_rad());
-    aside = aside || sight_.looks_aside(beam.azimuth_rad());
-  }
+  for_each_ray(example, [&](const SensorRay& ray) {
+    ahead = ahead || sight_.looks_ahead(ray.azimuth_rad());
+    aside = aside || sight_.looks_aside(ray.azimuth_rad());
+  });
   if (!ahead || !aside) {
     const std::string angle = number_text(elsie::degrees(set_.front_angle_rad), 6);
     throw std::invalid_argument(
-        "it needs a range sensor that looks ahead (yaw_deg from -" + angle + " to " + angle +
-        ") and one that looks to the " + (set_.on_left ? "left" : "right") +
+        "it needs a lidar, or a range sensor that looks ahead (yaw_deg from -" + angle + " to " +
+        angle + ") and one that looks to the " + (set_.on_left ? "left" : "right") +
         (set_.on_left ? " (" + angle + " to 150" : " (-" + angle + " to -150") +
         "), and the robot has none " +
         (aside   ? "of the first"

@@ -1,4 +1,4 @@
-// Finds the wall on one side of a robot in its beams.
+// Finds the wall on one side of a robot by its range sensors and lidars.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,15 @@
 
 #include <elsie/api/perception.h>
 
+#include "seen_points.h"
+
 /// If the wall should be on the right, everything here is mirrored, so that it is always on the
 /// left.
 class WallSight {
  public:
   struct Settings {
     bool on_left = false;
-    double front_angle_rad = 0.0;  // beams up to here look ahead, others to the side
+    double front_angle_rad = 0.0;  // rays up to here look ahead, others to the side
   };
 
   /// The wall on the side, as a straight line.
@@ -29,7 +31,7 @@ class WallSight {
   bool looks_ahead(double azimuth_rad) const {
     return std::abs(azimuth_rad) <= settings_.front_angle_rad + kRounding;
   }
-  /// Beams that look far back do not see the wall ahead.
+  /// Rays that look far back do not see the wall ahead.
   bool looks_aside(double azimuth_rad) const {
     const double azimuth = mirrored(azimuth_rad);
     return azimuth > settings_.front_angle_rad + kRounding && azimuth <= kRearmost + kRounding;
@@ -41,21 +43,18 @@ class WallSight {
     reach_m_ = reach_m;
     ahead_.reset();
     side_.clear();
-    for (const auto& beam : now.readings<elsie::RangeReading>()) {
-      if (!beam->hit) {
-        if (looks_aside(beam.azimuth_rad())) {
-          side_.push_back({mirrored(beam.azimuth_rad()), {}, kNothing});
-        }
-        continue;
+    for_each_ray(now, [&](const SensorRay& seen) {
+      const double azimuth = seen.azimuth_rad();
+      if (looks_ahead(azimuth)) {
+        if (seen.place) ahead_ = std::min(ahead_.value_or(seen.place->x), seen.place->x);
+      } else if (looks_aside(azimuth)) {
+        Point& point = side_.emplace_back(Point{mirrored(azimuth), {}, kNothing});
+        if (!seen.place) return;
+        point.point = {seen.place->x, mirrored(seen.place->y)};
+        const double away = std::hypot(point.point.x, point.point.y);
+        if (away <= reach_m_) point.away = away;
       }
-      const elsie::Vector2 point = point_of(beam);
-      if (looks_ahead(beam.azimuth_rad())) {
-        ahead_ = std::min(ahead_.value_or(point.x), point.x);
-      } else if (looks_aside(beam.azimuth_rad())) {
-        const double away = std::hypot(point.x, point.y);
-        side_.push_back({mirrored(beam.azimuth_rad()), point, away <= reach_m_ ? away : kNothing});
-      }
-    }
+    });
     std::sort(side_.begin(), side_.end(),
               [](const Point& a, const Point& b) { return a.azimuth_rad < b.azimuth_rad; });
   }
@@ -76,15 +75,11 @@ class WallSight {
     if (nearest == side_.size()) {
       return std::nullopt;
     }
-    if (nearest > 0) {
-      if (const auto line = through(side_[nearest], side_[nearest - 1])) {
-        return line;
-      }
+    for (std::size_t i = nearest; i-- > 0 && is_one_wall(nearest, i);) {
+      if (is_base(nearest, i)) return through(side_[nearest], side_[i]);
     }
-    if (nearest + 1 < side_.size()) {
-      if (const auto line = through(side_[nearest + 1], side_[nearest])) {
-        return line;
-      }
+    for (std::size_t i = nearest + 1; i < side_.size() && is_one_wall(nearest, i); ++i) {
+      if (is_base(nearest, i)) return through(side_[i], side_[nearest]);
     }
     const Point& only = side_[nearest];
     if (only.away == 0.0) {  // it touches a sensor exactly in the robot's middle
@@ -95,6 +90,7 @@ class WallSight {
 
  private:
   static constexpr double kNothing = 1e9;  // m
+  static constexpr double kBase = 0.03;    // m
   static constexpr double kRounding = 1e-9;
   static constexpr double kRearmost = 150.0 * std::numbers::pi / 180.0;
 
@@ -106,20 +102,20 @@ class WallSight {
 
   double mirrored(double value) const { return settings_.on_left ? value : -value; }
 
-  elsie::Vector2 point_of(const elsie::Sensed<elsie::RangeReading>& beam) const {
-    const double level = beam->distance_m * std::cos(beam.mounting().pitch_rad);
-    return {beam.mounting().position.x + level * std::cos(beam.azimuth_rad()),
-            mirrored(beam.mounting().position.y + level * std::sin(beam.azimuth_rad()))};
+  double between(std::size_t a, std::size_t b) const {
+    return std::hypot(side_[b].point.x - side_[a].point.x, side_[b].point.y - side_[a].point.y);
   }
+  /// Points that are farther apart than the reach are hardly part of one wall.
+  bool is_one_wall(std::size_t a, std::size_t b) const {
+    return side_[b].away < kNothing && between(a, b) <= reach_m_;
+  }
+  /// Neighbours in the fan of a lidar are too near to each other to tell a direction.
+  bool is_base(std::size_t a, std::size_t b) const { return between(a, b) >= kBase; }
 
-  /// The line from a point to one farther ahead; none if one of them is missing, or if they are
-  /// farther apart than the reach and so hardly part of one wall.
-  std::optional<Wall> through(const Point& rear, const Point& front) const {
+  /// The line from a point to one farther ahead.
+  static Wall through(const Point& rear, const Point& front) {
     const elsie::Vector2 step{front.point.x - rear.point.x, front.point.y - rear.point.y};
     const double length = std::hypot(step.x, step.y);
-    if (rear.away >= kNothing || front.away >= kNothing || length < 1e-3 || length > reach_m_) {
-      return std::nullopt;
-    }
     const elsie::Vector2 along{step.x / length, step.y / length};
     return Wall{along, rear.point.y * along.x - rear.point.x * along.y};
   }
@@ -127,5 +123,5 @@ class WallSight {
   Settings settings_;
   double reach_m_ = 0.0;
   std::optional<double> ahead_;
-  std::vector<Point> side_;  // of the beams on that side, from the front to the rear
+  std::vector<Point> side_;  // of the rays on that side, from the front to the rear
 };

@@ -45,7 +45,6 @@ class WallFollow final : public elsie::Behavior, public elsie::Remembers {
 ELSIE_BEHAVIOR(
     WallFollow, "wall_follow",
     "Follows a wall on one side at a distance, round inner and outer corners",
-    elsie::needs<elsie::RangeReading>(),
     elsie::parameter("side", &WallFollow::side,
                      {.choices = {"left", "right"}, .meaning = "where the wall is"}),
     elsie::parameter(
@@ -62,7 +61,7 @@ ELSIE_BEHAVIOR(
                      {.unit = "deg",
                       .min = 0,
                       .max = 60,
-                      .meaning = "range sensors look ahead up to this azimuth to either side, in "
+                      .meaning = "rays look ahead up to this azimuth to either side, in "
                                  "degrees, and to the side beyond it, up to 150"}),
     elsie::parameter("speed", &WallFollow::speed,
                      {.unit = "m/s", .above = 0, .max = 50, .meaning = "along the wall"}),
