@@ -4,9 +4,7 @@
 
 #include <cmath>
 
-#include <elsie/api/behavior.h>
-#include <elsie/api/remember.h>
-
+#include "arrival.h"
 #include "heading_for.h"
 
 /// Stops within the tolerance of the place, and says once that it has arrived: the event `arrived`.
@@ -19,27 +17,24 @@ class PlaceGoal : public elsie::Behavior, public elsie::Remembers {
   elsie::Response respond(const elsie::Perception& now) override {
     const elsie::Pose& pose = now.self().pose;
     const double away = std::hypot(x - pose.x, y - pose.y);
-    if (away > tolerance) {
-      arrived_ = false;
-      return approach(now, away, elsie::bearing(pose, x, y));
-    }
+    const bool is_there = away <= tolerance;
     elsie::Response response;
-    response.activation = 0.0;
-    response.status = elsie::Status::success;
-    if (!arrived_) {
-      response.events.push_back({"arrived"});
+    if (is_there) {
+      response.activation = 0.0;
+    } else {
+      response = approach(now, away, elsie::bearing(pose, x, y));
     }
-    arrived_ = true;
+    arrival_.tell(is_there, "arrived", response);
     return response;
   }
 
-  void reset(elsie::Random&) override { arrived_ = false; }
-  void remember(elsie::Memory& memory) override { memory("arrived", arrived_); }
+  void reset(elsie::Random&) override { arrival_.reset(); }
+  void remember(elsie::Memory& memory) override { arrival_.remember(memory); }
 
  protected:
   /// The answer on the way: the place is `away_m` off, at a bearing of `off_rad`.
   virtual elsie::Response approach(const elsie::Perception& now, double away_m, double off_rad) = 0;
 
  private:
-  bool arrived_ = false;
+  Arrival arrival_;
 };

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <elsie/api/remember.h>
-
+#include "arrival.h"
 #include "inactive.h"
 #include "motor_schema.h"
 #include "two_values.h"
@@ -42,22 +41,26 @@ class Dock final : public MotorSchema, public elsie::Remembers {
 
   void reset(elsie::Random& random) override {
     MotorSchema::reset(random);
-    docked_ = false;
+    arrival_.reset();
   }
-  void remember(elsie::Memory& memory) override { memory("docked", docked_); }
+  void remember(elsie::Memory& memory) override { arrival_.remember(memory); }
 
   elsie::Response respond(const elsie::Perception& now) override {
     const elsie::Vector2 from = here(now);
     const double away = std::hypot(from.x - x, from.y - y);
+    elsie::Response response;
     if (away <= tolerance) {
       rest();
-      elsie::Response response = inactive();
-      response.status = elsie::Status::success;
-      if (!docked_) response.events.push_back({"docked"});
-      docked_ = true;
-      return response;
+      response = inactive();
+    } else {
+      response = come(from, away, now);
     }
-    docked_ = false;
+    arrival_.tell(away <= tolerance, "docked", response);
+    return response;
+  }
+
+ private:
+  elsie::Motion come(const elsie::Vector2& from, double away, const elsie::Perception& now) {
     // In the frame of the dock: `before` it, on the side of the approach, and `left` of the axis,
     // as seen on the approach.
     const double c = std::cos(elsie::radians(approach_deg));
@@ -70,7 +73,6 @@ class Dock final : public MotorSchema, public elsie::Remembers {
     return moved_in_world({c * way.x - s * way.y, s * way.x + c * way.y}, now);
   }
 
- private:
   /// Ahead and to the left, as seen on the approach; of any length but zero.
   elsie::Vector2 direction(double before, double left, double away) const {
     if (away > coercive) return {before, -left};
@@ -80,7 +82,7 @@ class Dock final : public MotorSchema, public elsie::Remembers {
     return off > 0.0 ? elsie::Vector2{-left, -before} : elsie::Vector2{left, before};
   }
 
-  bool docked_ = false;
+  Arrival arrival_;
 };
 
 }  // namespace

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include <elsie/api/remember.h>
-
+#include "arrival.h"
 #include "going.h"
 #include "inactive.h"
 
@@ -20,12 +19,13 @@ class Home final : public elsie::Behavior, public Going, public elsie::Remembers
   double stop_within = 0.5;
 
   void reset(elsie::Random&) override {
-    is_home_ = stands_ = false;
+    is_home_ = false;
+    arrival_.reset();
     away_m_ = kNone;
   }
   void remember(elsie::Memory& memory) override {
     memory("is_home", is_home_);
-    memory("stands", stands_);
+    arrival_.remember(memory);
   }
 
   elsie::Response respond(const elsie::Perception& now) override {
@@ -35,10 +35,14 @@ class Home final : public elsie::Behavior, public Going, public elsie::Remembers
     away_m_ = std::hypot(home.place.x - here.x, home.place.y - here.y);
     const bool is_home = away_m_ <= home.radius_m;
     // It drives in beyond the rim, so that those behind it find room, and stays until it has left.
-    stands_ = is_home && (stands_ || away_m_ <= stop_within * home.radius_m);
-    elsie::Response response =
-        stands_ ? inactive() : elsie::Response(towards(here, home.place.x, home.place.y, away_m_));
-    if (stands_) response.status = elsie::Status::success;
+    arrival_.step(away_m_ <= stop_within * home.radius_m, is_home);
+    elsie::Response response;
+    if (arrival_.is_there()) {
+      response = inactive();
+      response.status = elsie::Status::success;
+    } else {
+      response = towards(here, home.place.x, home.place.y, away_m_);
+    }
     if (is_home_ != is_home) {
       is_home_ = is_home;
       response.events.push_back({is_home ? "at_home" : "left_home"});
@@ -50,7 +54,7 @@ class Home final : public elsie::Behavior, public Going, public elsie::Remembers
 
  private:
   bool is_home_ = false;
-  bool stands_ = false;
+  Arrival arrival_;
 };
 
 }  // namespace

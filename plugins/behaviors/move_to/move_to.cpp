@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <elsie/api/remember.h>
-
+#include "arrival.h"
 #include "inactive.h"
 #include "motor_schema.h"
 
@@ -20,29 +19,28 @@ class MoveTo final : public MotorSchema, public elsie::Remembers {
 
   void reset(elsie::Random& random) override {
     MotorSchema::reset(random);
-    arrived_ = false;
+    arrival_.reset();
   }
-  void remember(elsie::Memory& memory) override { memory("arrived", arrived_); }
+  void remember(elsie::Memory& memory) override { arrival_.remember(memory); }
 
   elsie::Response respond(const elsie::Perception& now) override {
     const elsie::Vector2 from = here(now);
     const elsie::Vector2 way{x - from.x, y - from.y};
     const double away = std::hypot(way.x, way.y);
+    elsie::Response response;
     if (away <= tolerance) {
       rest();
-      elsie::Response response = inactive();
-      response.status = elsie::Status::success;
-      if (!arrived_) response.events.push_back({"arrived"});
-      arrived_ = true;
-      return response;
+      response = inactive();
+    } else {
+      const double pull = speed * std::min(1.0, away / controlled);
+      response = moved_in_world({pull * way.x / away, pull * way.y / away}, now);
     }
-    arrived_ = false;
-    const double pull = speed * std::min(1.0, away / controlled);
-    return moved_in_world({pull * way.x / away, pull * way.y / away}, now);
+    arrival_.tell(away <= tolerance, "arrived", response);
+    return response;
   }
 
  private:
-  bool arrived_ = false;
+  Arrival arrival_;
 };
 
 }  // namespace

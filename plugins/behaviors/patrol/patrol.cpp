@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <elsie/api/remember.h>
-
+#include "arrival.h"
 #include "going.h"
 #include "inactive.h"
 
@@ -35,11 +34,12 @@ class Patrol final : public elsie::Behavior, public Going, public elsie::Remembe
   }
   void reset(elsie::Random&) override {
     next_ = -1;
-    leaves_s_ = kNone;
+    arrival_.reset();
     is_done_ = false;
   }
   void remember(elsie::Memory& memory) override {
     memory("next", next_);
+    arrival_.remember(memory);
     memory("leaves_s", leaves_s_);
     memory("is_done", is_done_);
   }
@@ -58,15 +58,15 @@ class Patrol final : public elsie::Behavior, public Going, public elsie::Remembe
       }
       is_done_ = false;
     }
-    if (std::isnan(leaves_s_) && away(here) <= tolerance) {
+    if (arrival_.step(away(here) <= tolerance, true)) {  // it waits, even if it is pushed away
       leaves_s_ = now.time_s() + places[index()].wait;
       response.events.push_back({"at_place"});
     }
-    if (now.time_s() >= leaves_s_) leave(now, response);
+    if (arrival_.is_there() && now.time_s() >= leaves_s_) leave(now, response);
     if (is_done_) {
       response.activation = response.strength = 0.0;
       response.status = elsie::Status::success;
-    } else if (std::isnan(leaves_s_)) {
+    } else if (!arrival_.is_there()) {
       response.command = towards(here, places[index()].x, places[index()].y, away(here));
     }
     return response;
@@ -83,7 +83,7 @@ class Patrol final : public elsie::Behavior, public Going, public elsie::Remembe
   }
 
   void leave(const elsie::Perception& now, elsie::Response& response) {
-    leaves_s_ = kNone;
+    arrival_.reset();
     const int count = static_cast<int>(places.size()), last = static_cast<int>(index());
     const bool is_last = last + 1 == count;
     is_done_ = count == 1 || (is_once_ && is_last);
@@ -103,8 +103,9 @@ class Patrol final : public elsie::Behavior, public Going, public elsie::Remembe
 
   bool is_random_ = false;
   bool is_once_ = false;
-  int next_ = -1;            // the place that it drives to or waits at; -1: not chosen yet
-  double leaves_s_ = kNone;  // when it has waited enough; none: it is on its way
+  int next_ = -1;          // the place that it drives to or waits at; -1: not chosen yet
+  Arrival arrival_;        // at that place
+  double leaves_s_ = 0.0;  // when it has waited there for long enough
   bool is_done_ = false;
 };
 

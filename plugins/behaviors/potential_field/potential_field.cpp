@@ -4,8 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include <elsie/api/remember.h>
-
+#include "arrival.h"
 #include "inactive.h"
 #include "motor_schema.h"
 #include "seen_points.h"
@@ -31,10 +30,10 @@ class PotentialField final : public MotorSchema, public elsie::Remembers {
 
   void reset(elsie::Random& random) override {
     MotorSchema::reset(random);
-    arrived_ = false;
+    arrival_.reset();
     potential_ = 0.0;
   }
-  void remember(elsie::Memory& memory) override { memory("arrived", arrived_); }
+  void remember(elsie::Memory& memory) override { arrival_.remember(memory); }
 
   elsie::Response respond(const elsie::Perception& now) override {
     // In the robot's frame, from P.
@@ -43,11 +42,9 @@ class PotentialField final : public MotorSchema, public elsie::Remembers {
     const double distance = std::hypot(x - pose.x, y - pose.y);
     const elsie::Vector2 goal{distance * std::cos(bearing) - lead, distance * std::sin(bearing)};
     const double away = std::hypot(goal.x, goal.y);
-    std::vector<elsie::Event> events;
     const bool arrived = attraction > 0.0 && away <= tolerance;
-    if (arrived && !arrived_) events.push_back({"arrived"});
     // A hill at the goal may push it out and the well pull it back: that is no new arrival.
-    arrived_ = arrived || (arrived_ && away <= kLeft * tolerance);
+    const bool has_come = arrival_.step(arrived, away <= kLeft * tolerance);
     elsie::Vector2 force;
     potential_ = 0.0;
     if (!arrived) attract(goal, away, force);
@@ -57,7 +54,7 @@ class PotentialField final : public MotorSchema, public elsie::Remembers {
     elsie::Response response = moved(force, now);
     if ((arrived || attraction == 0.0) && !is_near) response = inactive();
     if (arrived) response.status = elsie::Status::success;
-    response.events = std::move(events);
+    if (has_come) response.events.push_back({"arrived"});
     return response;
   }
 
@@ -131,7 +128,7 @@ class PotentialField final : public MotorSchema, public elsie::Remembers {
   static constexpr double kLeast = 0.005;  // m: nearer counts as this
   static constexpr double kEqual = 1e-9;
 
-  bool arrived_ = false;
+  Arrival arrival_;
   std::vector<Near> near_;
 };
 
