@@ -62,3 +62,19 @@ TEST_CASE("Who comes to its place says so once, and that it is done for as long 
   second.reset();
   CHECK(ask(second, 0.95) == 1);
 }
+
+TEST_CASE("Who has come to its place shows nothing of its way any more") {
+  const Goer it = goer(GENERATE(as<std::string>(), "dock", "dynamic_window", "move_to",
+                                "potential_field", "vfh_plus"));
+  CAPTURE(it.name);
+  testing::Behavior behavior = it.behavior();
+  const auto shows = [&](double x) {
+    behavior.respond(at(x));
+    Sketch sketch{Frame{}};
+    behavior->sketch(sketch);
+    return !sketch.empty();
+  };
+  CHECK(shows(0.0));
+  CHECK_FALSE(shows(0.95));
+  CHECK(shows(0.0));
+}

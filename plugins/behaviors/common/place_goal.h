@@ -20,6 +20,7 @@ class PlaceGoal : public elsie::Behavior, public elsie::Remembers {
     const bool is_there = away <= tolerance;
     elsie::Response response;
     if (is_there) {
+      rest();
       response.activation = 0.0;
     } else {
       response = approach(now, away, elsie::bearing(pose, x, y));
@@ -34,6 +35,8 @@ class PlaceGoal : public elsie::Behavior, public elsie::Remembers {
  protected:
   /// The answer on the way: the place is `away_m` off, at a bearing of `off_rad`.
   virtual elsie::Response approach(const elsie::Perception& now, double away_m, double off_rad) = 0;
+  /// Called in each step at the place: there is no way any more, and nothing of it to be shown.
+  virtual void rest() {}
 
  private:
   Arrival arrival_;

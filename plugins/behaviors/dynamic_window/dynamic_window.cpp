@@ -40,6 +40,7 @@ class DynamicWindow final : public PlaceGoal {
     chosen_ = {};
   }
   void sketch(elsie::Sketch& sketch) const override {
+    if (chosen_ == elsie::Motion{}) return;
     std::vector<elsie::Vector3> way;
     for (double t = 0.0; t <= 1.0; t += 0.05) {
       const elsie::Pose at = after_arc(chosen_, t);
@@ -49,6 +50,7 @@ class DynamicWindow final : public PlaceGoal {
   }
 
  protected:
+  void rest() override { chosen_ = {}; }
   elsie::Response approach(const elsie::Perception& now, double away_m, double off_rad) override {
     const double body = body_radius(now.self());
     obstacles_.clear();

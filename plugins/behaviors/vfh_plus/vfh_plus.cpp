@@ -74,6 +74,7 @@ class VfhPlus final : public PlaceGoal {
   }
 
  protected:
+  void rest() override { has_direction_ = false; }
   elsie::Response approach(const elsie::Perception& now, double away_m, double off_rad) override {
     const double heading = now.self().pose.heading_rad;
     if (!has_direction_) {
