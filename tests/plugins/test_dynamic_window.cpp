@@ -12,6 +12,7 @@
 #include "elsie/testing/world.h"
 
 #include "../../plugins/behaviors/dynamic_window/free_arc.h"
+#include "clutter.h"
 #include "shipped.h"
 #include "situation.h"
 
@@ -206,34 +207,8 @@ std::string window_world(const std::string& obstacles, const std::string& robot,
          "</behaviors><coordinator><arbiter_suppression/></coordinator></robot></robots>" +
          "</world>";
 }
-/// Discs and boxes between the robot and its place.
-std::string window_clutter(std::uint64_t seed, std::size_t count = 14) {
-  Random random(seed);
-  struct Disc {
-    double x, y, radius;
-  };
-  std::vector<Disc> placed;
-  std::string obstacles;
-  while (placed.size() < count) {
-    const Disc disc{random.uniform(-3, 3), random.uniform(-2.2, 2.2), random.uniform(0.1, 0.35)};
-    bool fits = true;
-    for (const Disc& other : placed) {
-      fits = fits &&
-             std::hypot(disc.x - other.x, disc.y - other.y) > disc.radius + other.radius + 0.35;
-    }
-    if (!fits) continue;
-    placed.push_back(disc);
-    const std::string at =
-        " x='" + std::to_string(disc.x) + "' y='" + std::to_string(disc.y) + "' ";
-    const std::string side = std::to_string(1.4 * disc.radius);
-    obstacles += placed.size() % 2 == 0 ? "<static_cylinder" + at + "radius='" +
-                                              std::to_string(disc.radius) + "' height='0.3'/>"
-                                        : "<static_box" + at + "heading_deg='" +
-                                              std::to_string(random.uniform(0, 90)) + "' length='" +
-                                              side + "' width='" + side + "'/>";
-  }
-  return obstacles;
-}
+constexpr std::size_t kWindowClutter = 14;
+constexpr double kWindowRoom = 0.35;  // m
 bool window_arrived(const testing::World& now) { return now.count("arrived") > 0; }
 
 constexpr const char* kWindowStart = "x='-4' y='0' max_speed='1'>";
@@ -244,7 +219,8 @@ TEST_CASE("dynamic_window: it never collides in random clutter, whatever its spe
   int arrived = 0, without = 0;
   const int seeds = 40;
   for (int seed = 1; seed <= seeds; ++seed) {
-    const std::string clutter = window_clutter(static_cast<std::uint64_t>(seed));
+    const std::string clutter =
+        test::clutter(static_cast<std::uint64_t>(seed), kWindowClutter, kWindowRoom);
     const double speed = 0.2 + 0.2 * (seed % 4), acceleration = seed % 3 == 0 ? 0.3 : 1.0;
     testing::World world = testing::World::from_text(
         window_world(clutter, kWindowStart,
@@ -317,8 +293,9 @@ TEST_CASE("dynamic_window: at any control period") {
   for (const std::string physics :
        {"step='0.001'", "step='0.01' control_steps='5'", "step='0.1'"}) {
     testing::World world = testing::World::from_text(
-        window_world(window_clutter(5), kWindowStart, "<dynamic_window x='4' y='0'/>", physics), {},
-        window_plugins());
+        window_world(test::clutter(5, kWindowClutter, kWindowRoom), kWindowStart,
+                     "<dynamic_window x='4' y='0'/>", physics),
+        {}, window_plugins());
     CAPTURE(physics);
     CHECK(world.run_until(window_arrived, 90));
     CHECK(world.count("collision") == 0);

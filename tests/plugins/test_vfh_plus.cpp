@@ -11,6 +11,7 @@
 #include "elsie/testing/expectation.h"
 #include "elsie/testing/world.h"
 
+#include "clutter.h"
 #include "shipped.h"
 #include "situation.h"
 
@@ -223,29 +224,8 @@ namespace {
 
 /// Ten discs and boxes between the robot and its place, with room for it between them.
 std::string vfh_world(std::uint64_t seed, const std::string& physics) {
-  Random random(seed);
-  std::vector<VfhDisc> placed;
-  std::string obstacles;
-  while (placed.size() < 10) {
-    const VfhDisc disc{random.uniform(-3, 3), random.uniform(-2.2, 2.2), random.uniform(0.1, 0.35)};
-    bool fits = true;
-    for (const VfhDisc& other : placed) {
-      fits = fits &&
-             std::hypot(disc.x - other.x, disc.y - other.y) > disc.radius + other.radius + 0.45;
-    }
-    if (!fits) continue;
-    placed.push_back(disc);
-    const std::string at =
-        " x='" + std::to_string(disc.x) + "' y='" + std::to_string(disc.y) + "' ";
-    const std::string side = std::to_string(1.4 * disc.radius);
-    obstacles += placed.size() % 2 == 0 ? "<static_cylinder" + at + "radius='" +
-                                              std::to_string(disc.radius) + "' height='0.3'/>"
-                                        : "<static_box" + at + "heading_deg='" +
-                                              std::to_string(random.uniform(0, 90)) + "' length='" +
-                                              side + "' width='" + side + "'/>";
-  }
   return "<world format='1'><arena length='9' width='5'/><physics engine='planar' " + physics +
-         "/><teams><team id='red'/></teams><obstacles>" + obstacles +
+         "/><teams><team id='red'/></teams><obstacles>" + test::clutter(seed, 10, 0.45) +
          "</obstacles><robots><robot id='r1' team='red' x='-4' y='0'><sensors><lidar id='scan' "
          "x='0' rays='120' max_range='2'/></sensors><behaviors><vfh_plus x='4' y='0'/></behaviors>"
          "<coordinator><arbiter_suppression/></coordinator></robot></robots></world>";
