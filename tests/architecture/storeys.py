@@ -37,7 +37,8 @@ MAY_NEED = {
 }
 OPTIONAL = {"bin/elsie-desktop"}
 PLUGINS = {"libelsie-base", "libelsie", "libelsie-inference"}
-EXCEPTIONS = {name: {"libelsie-formula"} for name in ("arbiter_learning", "arbiter_states", "arbiter_tree", "reward")}  # by plugin: the libraries of others that it may need
+# By plugin: the libraries of others that it may need.
+EXCEPTIONS = {name: {"libelsie-formula"} for name in ("arbiter_learning", "arbiter_spreading_activation", "arbiter_states", "arbiter_tree", "reward")}
 
 # The libraries that must come with no storey by a detour: those above, and these; and what some of them bring themselves.
 UNWANTED = {"libGL", "libEGL"}

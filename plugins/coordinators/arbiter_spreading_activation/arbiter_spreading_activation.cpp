@@ -96,9 +96,6 @@ void ArbiterSpreadingActivation::equipped(std::span<const elsie::Member> members
         proposition_names_.end()) {
       names_.refuse("two propositions have the name '" + name + "'; rename or remove one");
     }
-    if (const std::string problem = Situation::problem_of(proposition, example); !problem.empty()) {
-      names_.refuse(problem);
-    }
     proposition_names_.push_back(name);
     needs_.push_back("needs " + name);
   }
@@ -107,7 +104,8 @@ void ArbiterSpreadingActivation::equipped(std::span<const elsie::Member> members
                   " propositions, and the most are 64; remove some");
     names_.throw_problems();
   }
-  situation_.use(propositions);
+  situation_.use(propositions, members, example,
+                 [&](const std::string& problem) { names_.refuse(problem); });
   goals_ = set_of(goals, "goals=\"" + goals + "\"");
   network_.modules.assign(names_.size(), {});
   able_.assign(names_.size(), false);
@@ -192,7 +190,7 @@ elsie::Motion ArbiterSpreadingActivation::coordinate(std::span<elsie::Member> me
   if (members.size() != names_.size()) {
     equipped(members, now);
   }
-  state_ = situation_.update(now);
+  state_ = situation_.update(members, now);
   const std::optional<std::size_t> before = winner_;
   spread(now);
   if (winner_ && !network_.is_executable(*winner_, state_)) {
@@ -286,16 +284,11 @@ ELSIE_COORDINATOR(
     elsie::elements(
         &ArbiterSpreadingActivation::propositions,
         elsie::element<Perceives>(
-            "perceives", "a proposition that is true while an input is within bounds",
+            "perceives", "a proposition that is true while a condition holds",
             elsie::parameter("name", &Perceives::name, {.meaning = "its name", .required = true}),
-            elsie::parameter("input", &Perceives::input,
-                             {.meaning = "one of the inputs of fusion_context_blending: battery, "
-                                         "front_range, resource_seen...",
-                              .required = true}),
-            elsie::parameter("above", &Perceives::above,
-                             {.min = -kOpen, .max = kOpen, .meaning = "true above this"}),
-            elsie::parameter("below", &Perceives::below,
-                             {.min = -kOpen, .max = kOpen, .meaning = "true below this"})),
+            elsie::parameter("when", &Perceives::when,
+                             {.meaning = "a condition over what the robot perceives",
+                              .required = true})),
         elsie::element<Recalls>(
             "recalls", "a proposition that is true from an event on",
             elsie::parameter("name", &Recalls::name, {.meaning = "its name", .required = true}),

@@ -4,24 +4,22 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include <elsie/api/perception.h>
+#include <elsie/api/coordinator.h>
 #include <elsie/api/remember.h>
 
-#include "perception_inputs.h"
+#include "condition.h"
 
-/// A bound that was not given.
-inline constexpr double kOpen = 1e9;
-
-/// True while an input is within bounds.
+/// True while a condition holds.
 struct Perceives {
   std::string name;
-  std::string input;
-  double above = -kOpen;
-  double below = kOpen;
+  std::string when;
 };
 /// True from an event on: until another, or for a time.
 struct Recalls {
@@ -47,39 +45,30 @@ inline const std::string& name_of(const Proposition& proposition) {
 
 class Situation {
  public:
-  /// What is wrong with one of them, as a sentence; "": nothing.
-  static std::string problem_of(const Proposition& proposition, const elsie::Perception& example) {
-    if (const auto* recalled = std::get_if<Recalls>(&proposition);
-        recalled && recalled->event == recalled->until) {
-      return "<recalls name=\"" + recalled->name + "\"> has the same event and 'until'; it would " +
-             "never be false again";
-    }
-    const auto* perceived = std::get_if<Perceives>(&proposition);
-    if (!perceived) return "";
-    const std::string text = "<perceives name=\"" + perceived->name + "\">";
-    const PerceptionInput* input = find_perception_input(perceived->input);
-    if (!input) {
-      return text + " has the input '" + perceived->input + "', which no robot perceives" +
-             perception_input_hint(perceived->input);
-    }
-    if (!input->available(example)) {
-      return text + " has the input '" + perceived->input + "', which needs " + input->needs +
-             ", and there is none";
-    }
-    if (perceived->above <= -kOpen && perceived->below >= kOpen) {
-      return text + " is always true; give it 'above' or 'below'";
-    }
-    return perceived->above < perceived->below
-               ? ""
-               : text + " is never true: 'above' must be less than 'below'";
-  }
+  using Members = std::span<const elsie::Member>;
 
-  void use(const std::vector<Proposition>& propositions) {
+  /// Takes these, and finds what they mean on this robot. Calls refuse() with a sentence for each
+  /// that means nothing there.
+  template <class Refuse>
+  void use(const std::vector<Proposition>& propositions, Members members,
+           const elsie::Perception& example, Refuse refuse) {
     propositions_ = propositions;
-    states_.assign(propositions_.size(), {});
-    for (std::size_t i = 0; i < propositions_.size(); ++i) {
-      const auto* perceived = std::get_if<Perceives>(&propositions_[i]);
-      states_[i].input = perceived ? find_perception_input(perceived->input) : nullptr;
+    states_.clear();
+    for (const Proposition& proposition : propositions_) {
+      State& state = states_.emplace_back();
+      if (const auto* recalled = std::get_if<Recalls>(&proposition)) {
+        if (recalled->event == recalled->until) {
+          refuse("<recalls name=\"" + recalled->name + "\"> has the same event and 'until'; it " +
+                 "would never be false again");
+        }
+      } else if (const auto* perceived = std::get_if<Perceives>(&proposition)) {
+        try {
+          state.condition.emplace(perceived->when);
+          state.condition->equip(members, example);
+        } catch (const std::invalid_argument& error) {
+          refuse("<perceives name=\"" + perceived->name + "\">: " + error.what());
+        }
+      }
     }
     reset();
   }
@@ -98,12 +87,12 @@ class Situation {
   }
 
   /// The true ones, a bit each. To be called in every step: events last for one.
-  std::uint64_t update(const elsie::Perception& now) {
+  std::uint64_t update(Members members, const elsie::Perception& now) {
     std::uint64_t all = 0;
     for (std::size_t i = 0; i < propositions_.size(); ++i) {
       State& state = states_[i];
-      state.is_true =
-          std::visit([&](const auto& each) { return holds(each, state, now); }, propositions_[i]);
+      state.is_true = std::visit([&](const auto& each) { return holds(each, state, members, now); },
+                                 propositions_[i]);
       all |= state.is_true ? std::uint64_t{1} << i : 0;
     }
     return all;
@@ -113,14 +102,13 @@ class Situation {
   struct State {
     bool is_true = false;
     double since_s = 0.0;
-    const PerceptionInput* input = nullptr;
+    std::optional<Condition> condition;
   };
 
-  static bool holds(const Perceives& what, State& state, const elsie::Perception& now) {
-    const double value = state.input->value(now);
-    return value > what.above && value < what.below;
+  static bool holds(const Perceives&, State& state, Members members, const elsie::Perception& now) {
+    return state.condition->holds(members, now);
   }
-  static bool holds(const Recalls& what, State& state, const elsie::Perception& now) {
+  static bool holds(const Recalls& what, State& state, Members, const elsie::Perception& now) {
     bool is_true = state.is_true;
     if (what.for_s > 0.0 && now.time_s() - state.since_s > what.for_s + 1e-9) {
       is_true = false;
@@ -135,7 +123,7 @@ class Situation {
     }
     return is_true;
   }
-  static bool holds(const Place& what, State& state, const elsie::Perception& now) {
+  static bool holds(const Place& what, State& state, Members, const elsie::Perception& now) {
     const elsie::Pose& here = now.self().pose;
     return (what.keeps && state.is_true) ||
            std::hypot(what.x - here.x, what.y - here.y) <= what.radius;

@@ -31,10 +31,8 @@ inline ElementValue recalls(const char* name, const char* event, const char* unt
 inline ElementValue place(const char* name, double x, bool keeps = false, double radius = 0.1) {
   return {"place", {{"name", string(name)}, {"x", x}, {"radius", radius}, {"keeps", keeps}}};
 }
-inline ElementValue perceives(const char* name, const char* input, double above,
-                              double below = 1e9) {
-  return {"perceives",
-          {{"name", string(name)}, {"input", string(input)}, {"above", above}, {"below", below}}};
+inline ElementValue perceives(const char* name, const char* when) {
+  return {"perceives", {{"name", string(name)}, {"when", string(when)}}};
 }
 
 inline Motion forwards(double speed) { return {speed, 0.0, 0.0}; }

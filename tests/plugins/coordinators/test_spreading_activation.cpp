@@ -125,7 +125,7 @@ TEST_CASE("phi and gamma make it follow what is there, or its goals") {
   const auto first = [](double phi, double gamma) {
     return Society({"graze", "march"}, "there",
                    {competence("graze", "grass", "fed"), competence("march", "", "there"),
-                    perceives("grass", "x", -1.0), recalls("fed", "e"), place("there", 5)},
+                    perceives("grass", "x > -1"), recalls("fed", "e"), place("there", 5)},
                    {{"phi", phi}, {"gamma", gamma}})
         .first();
   };
@@ -184,7 +184,7 @@ TEST_CASE("Between two goals that take time it dithers, unless what it begins is
 
 TEST_CASE("A competence stops as soon as a precondition fails, also between steps") {
   Society one({"graze"}, "fed",
-              {competence("graze", "grass", "fed"), perceives("grass", "x", -1.0, 1.0),
+              {competence("graze", "grass", "fed"), perceives("grass", "x > -1 and 1 > x"),
                recalls("fed", "e")},
               {{"interval", 10.0}, {"theta", 1.0}});
   CHECK(one.step() == "graze");
@@ -203,7 +203,7 @@ TEST_CASE("Propositions: an event for a time, a place once reached, bounds of an
                place("was", 0, true),
                place("here", 0),
                place("z", 99),
-               perceives("low", "battery", -1e9, 0.3)});
+               perceives("low", "battery < 0.3")});
   const auto true_ones = [&](double x, double battery, bool bell) {
     one.now() = Situation().period(0.1).at(x, 0, 0).battery(battery);
     if (bell) {
@@ -222,6 +222,25 @@ TEST_CASE("Propositions: an event for a time, a place once reached, bounds of an
   CHECK(true_ones(5, 1.0, false) == 1.0);  // 0.3 s later
   one.robot().reset();
   CHECK(true_ones(5, 1.0, false) == 0.0);
+}
+
+TEST_CASE("A proposition may be about events and what behaviours publish") {
+  double away = 2.0;
+  Team team;
+  team.member("a", 1, forwards(0.1)).publishes("away", [&] { return away; });
+  Coordinated robot("arbiter_spreading_activation", team, {},
+                    {competence("a", "near rings", ""), perceives("near", "1 > a.away"),
+                     perceives("rings", "event.bell or event.gong")});
+  const auto true_ones = [&](const char* event) {
+    robot.now = Situation().period(0.1).event(event);
+    robot.decide();
+    return robot.declaration().published[2].get(*robot);
+  };
+  CHECK(true_ones("none") == 0.0);
+  CHECK(true_ones("gong") == 1.0);
+  away = 0.5;
+  CHECK(true_ones("none") == 1.0);
+  CHECK(true_ones("bell") == 2.0);
 }
 
 TEST_CASE("The network takes as many steps in a second whatever the control period") {
@@ -269,13 +288,16 @@ TEST_CASE("Spreading activation refuses what it cannot use, and says what there 
              Contains("is given twice"));
   CHECK_THAT(refusal({competence("fetch", "", "key", "key"), place("key", 0)}),
              Contains("in 'adds' and in 'deletes'"));
-  CHECK_THAT(refusal({perceives("low", "batery", 0, 1)}), Contains("did you mean 'battery'?"));
-  CHECK_THAT(refusal({perceives("near", "front_range", 0, 1)}), Contains("and there is none"));
-  CHECK_THAT(refusal({perceives("low", "battery", -1e9)}), Contains("is always true"));
+  CHECK_THAT(refusal({perceives("low", "batery < 1"), perceives("near", "front_range < 1")}),
+             Contains("<perceives name=\"low\">: the condition \"batery < 1\", column 1") &&
+                 Contains("did you mean 'battery'?") && Contains("<perceives name=\"near\">: ") &&
+                 Contains("'front_range' needs a"));
+  CHECK_THAT(refusal({perceives("low", "battery <")}), Contains("<perceives name=\"low\">: "));
+  CHECK_THAT(refusal({perceives("far", "fetch.away > 1")}),
+             Contains("the behavior 'fetch' publishes no number 'away'"));
   ElementValue same = recalls("held", "taken");
   same.parameters["until"] = std::string("taken");
   CHECK_THAT(refusal({same}), Contains("has the same event and 'until'"));
-  CHECK_THAT(refusal({perceives("low", "battery", 0.5, 0.4)}), Contains("is never true"));
   std::vector<ElementValue> many;
   std::vector<string> names;
   for (int i = 0; i < 65; ++i) {
@@ -329,7 +351,7 @@ TEST_CASE("Spreading activation has no fault that the checker finds") {
   options.elements = {competence("avoid_obstacle", "", "clear"),
                       competence("recharge", "", "full"),
                       competence("go_to_point", "clear full", "there", "full"),
-                      perceives("clear", "speed", 0.1),
+                      perceives("clear", "speed > 0.1"),
                       recalls("full", "collected", "collision"),
                       place("there", 0.5, true)};
   const auto findings =
