@@ -258,13 +258,34 @@ TEST_CASE("bug: bug2 leaves the boundary on the M-line, nearer than H, where the
   CHECK_THAT(after_hit(bug_facing(0.3, 0).at(1, 0, 0)), testing::raises_nothing());  // not free
 }
 
-TEST_CASE("bug: a new place is a new start, also after it has given up") {
-  testing::World world =
-      testing::World::from_text(bug_world("<static_box x='5' y='0' length='1' width='1'/>",
-                                          bug_robot("bug2", "right"), "", 16.0),
-                                {}, bug_plugins());
-  REQUIRE(
-      world.run_until([](const testing::World& now) { return now.count("unreachable") > 0; }, 300));
+TEST_CASE("bug: it goes to a new place after it has given up, and may give up again") {
+  const std::string locked = "<static_box x='3' y='0' length='1' width='1'/>";
+  const auto change = [](int time_s, const char* x) {
+    return "<change time='" + std::to_string(time_s) +
+           "' path='robot[r1]/behavior[bug]/@x' value='" + x + "'/>";
+  };
+  for (const std::string algorithm : {"bug1", "bug2"}) {
+    testing::World world = testing::World::from_text(
+        bug_world(locked, bug_robot(algorithm, "right", 3.0) + "<changes>" + change(200, "-3") +
+                              change(300, "3.1") + "</changes>"),
+        {}, bug_plugins());
+    CAPTURE(algorithm);
+    world.run_for(200.0);
+    CHECK(world.count("unreachable") == 1);
+    const Pose given_up = world.pose("r1");
+    CHECK(given_up.x > 2.0);
+    world.run_for(100.0);
+    CHECK(world.count("arrived") == 1);
+    CHECK(std::hypot(world.pose("r1").x + 3.0, world.pose("r1").y) < 0.1);
+    CHECK(world.count("unreachable") == 1);
+    world.run_for(200.0);
+    CHECK(world.count("unreachable") == 2);
+    CHECK(world.count("arrived") == 1);
+    CHECK(world.count("collision") == 0);
+  }
+}
+
+TEST_CASE("bug: a new place is a new start") {
   testing::Behavior bug = bug_to(2, 0);
   bug.respond(bug_facing(0.3));
   CHECK_THAT(bug.respond(bug_facing().time(0.1)), testing::turns_on_the_spot());

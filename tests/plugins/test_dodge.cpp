@@ -128,6 +128,16 @@ TEST_CASE("After a time without readings it measures anew, and so it does after 
 TEST_CASE("A colour that is none is refused by dodge, and so is a robot without a camera") {
   CHECK_THROWS_WITH(testing::Behavior("dodge", {{"colour", std::string("blue")}}),
                     Catch::Contains("expected six hexadecimal digits after #"));
+  const auto robot_with = [](const std::string& sensors) {
+    return testing::World::from_text(
+        "<world format='1'><robots><robot id='r1'><sensors>" + sensors +
+        "</sensors><behaviors><dodge/></behaviors><coordinator><arbiter_suppression/></coordinator>"
+        "</robot></robots></world>");
+  };
+  CHECK_THROWS_WITH(robot_with("<beam_range/>"),
+                    Catch::Contains("'dodge' needs readings of the kind 'omnidirectional'") &&
+                        Catch::Contains("add <omnidirectional_camera>"));
+  CHECK_NOTHROW(robot_with("<omnidirectional_camera/>"));
 }
 
 TEST_CASE("A robot that dodges stays untouched where another one goes round and round") {

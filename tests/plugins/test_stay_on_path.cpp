@@ -53,20 +53,37 @@ TEST_CASE("A vector along the path follows its parts, and ends at its last point
   check_vector(robot.lead_at(2.0, 2.1, 30.0).velocity(), 0.0, -0.05);
 }
 
-TEST_CASE("It keeps to the path to its end, with any control period") {
+TEST_CASE("It comes to the path in a straight line, and then exponentially nearer") {
+  // From 0.5 m off: 0.3 m/s to the edge at 0.2 m, and d' = -0.3 d / 0.2 from there on.
+  Puppet robot = path_robot({{"on_path", 0.3}});
+  robot.lead_at(1.0, 0.5, 180.0);
+  while (robot.time_s < 4.0) {
+    robot.step(1e-3);
+    const double expected =
+        robot.time_s < 1.0 ? 0.5 - 0.3 * robot.time_s : 0.2 * std::exp(-1.5 * (robot.time_s - 1.0));
+    REQUIRE(robot.lead().y == Approx(expected).margin(0.002));
+    REQUIRE(robot.lead().x == Approx(1.0).margin(0.002));
+  }
+}
+
+TEST_CASE("It keeps to the path to its end, within the way of a control period") {
   for (const double period : {1e-3, 0.01, 0.1}) {
+    CAPTURE(period);
     Puppet robot = path_robot({{"along", 0.2}, {"on_path", 0.3}});
     robot.lead_at(0.0, 0.5, 180.0);
     double worst = 0.0;
     while (robot.time_s < 40.0) {
       robot.step(period);
-      if (robot.time_s < 5.0) continue;  // it has come to the path
+      if (robot.time_s < 8.0) continue;  // 0.2 exp(-1.5 * 7) m, and what the turn at first cost
       const Vector2 at = robot.lead();
-      worst = std::max(worst,
-                       std::min(std::abs(at.y) + (at.x > 2.1 ? 1.0 : 0.0), std::abs(at.x - 2.0)));
+      // To the nearest point of the two parts.
+      const double first = std::hypot(at.x - std::clamp(at.x, 0.0, 2.0), at.y);
+      const double second = std::hypot(at.x - 2.0, at.y - std::clamp(at.y, 0.0, 2.0));
+      worst = std::max(worst, std::min(first, second));
     }
-    CHECK(worst < 0.1);
-    check_vector(robot.lead(), 2.0, 2.0, 0.02);
+    // At the corner, and at the end, it sees only after a period that it is past them.
+    CHECK(worst <= 0.2 * period + 1e-4);
+    check_vector(robot.lead(), 2.0, 2.0, 0.2 * period + 1e-4);
   }
 }
 

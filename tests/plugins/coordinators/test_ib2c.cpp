@@ -148,8 +148,8 @@ TEST_CASE("Two that inhibit each other do so one step late, and settle") {
 TEST_CASE("The principles of iB2C hold for whatever behaviours answer") {
   Random random(5);
   const auto level = [&] { return random.chance(0.2) ? 0.0 : random.uniform(); };
-  for (const char* fusion : kIb2cFusions) {
-    for (const char* rating : {"activation", "strength"}) {
+  for (const std::string fusion : kIb2cFusions) {
+    for (const std::string rating : {"activation", "strength"}) {
       CAPTURE(fusion, rating);
       Team team;
       for (const char* name : {"a", "b", "c", "d"}) {
@@ -159,57 +159,75 @@ TEST_CASE("The principles of iB2C hold for whatever behaviours answer") {
       for (const Member& member : team.members()) {
         highest = std::max(highest, member.priority());
       }
-      Coordinated robot("fusion_ib2c", team,
-                        {{"fusion", std::string(fusion)}, {"rating", std::string(rating)}},
+      Coordinated robot("fusion_ib2c", team, {{"fusion", fusion}, {"rating", rating}},
                         {ib2c_link("inhibit", "a", "c"), ib2c_link("inhibit", "c", "a", 0.5),
                          ib2c_link("stimulate", "b", "d")});
+      double c_before = 0.0;  // it inhibits a one step late
       for (int step = 0; step < 300; ++step) {
-        double most_rating = 0.0, least_rating = 1.0;
+        double iota[4], target[4], activity[4];
         for (std::size_t i = 0; i < 4; ++i) {
           Response& answer = team.answer(i);
           answer.command = {random.uniform(-1, 1), 0.0, random.uniform(-4, 4)};
           answer.activation = level();
           answer.strength = level();
+          target[i] = rating == "strength" ? answer.strength : answer.activation;
         }
+        // iota = s (1 - i), and an activity of at most that.
+        const auto decide = [&](std::size_t i, double stimulus, double inhibition) {
+          iota[i] = team.members()[i].priority() / highest * stimulus * (1.0 - inhibition);
+          activity[i] = iota[i] * team.answer(i).activation * team.answer(i).strength;
+        };
+        decide(0, 1.0, 0.5 * c_before);
+        decide(1, 1.0, 0.0);
+        decide(2, 1.0, activity[0]);
+        decide(3, activity[1], 0.0);
+        c_before = activity[2];
+
         const Motion command = robot.decide();
-        double sum = 0.0, most = 0.0, least = 1.0, shares = 0.0;
+        double most = 0.0, sum = 0.0, least = 1.0, most_rating = 0.0, least_rating = 1.0;
+        std::size_t strongest = 0;
         for (std::size_t i = 0; i < 4; ++i) {
-          const Response& answer = team.answer(i);
-          const double activity = team.trace(i).weight;
-          const double target =
-              std::string(rating) == "strength" ? answer.strength : answer.activation;
-          const double stimulation = team.members()[i].priority() / highest;
-          // a <= iota <= s, and what is content is not active.
-          REQUIRE((activity >= 0.0 && activity <= stimulation + 1e-12));
-          REQUIRE((target > 0.0 || activity == 0.0));
-          if (i == 3) {
-            REQUIRE(activity <=
-                    team.trace(1).weight + (std::string(fusion) == "maximum" ? 1.0 : 1e-12));
+          REQUIRE((activity[i] >= 0.0 && activity[i] <= iota[i] && iota[i] <= 1.0));
+          REQUIRE((target[i] > 0.0 || activity[i] == 0.0));  // what is content is not active
+          if (activity[i] > most) {
+            most = activity[i];
+            strongest = i;
           }
-          shares += team.trace(i).share;
-          if (activity > 0.0) {
-            sum += activity;
-            most = std::max(most, activity);
-            least = std::min(least, activity);
-            most_rating = std::max(most_rating, target);
-            least_rating = std::min(least_rating, target);
+          if (activity[i] > 0.0) {
+            sum += activity[i];
+            least = std::min(least, activity[i]);
+            most_rating = std::max(most_rating, target[i]);
+            least_rating = std::min(least_rating, target[i]);
           }
         }
-        const double activity = ib2c_published(robot, "activity");
-        const double whole = ib2c_published(robot, "rating");
+        double shares = 0.0;
+        for (std::size_t i = 0; i < 4; ++i) {
+          const bool loses = fusion == "maximum" && i != strongest;
+          REQUIRE(team.trace(i).weight == Approx(loses ? 0.0 : activity[i]).margin(1e-12));
+          shares += team.trace(i).share;
+        }
+        const double whole = ib2c_published(robot, "activity");
+        const double whole_rating = ib2c_published(robot, "rating");
+        REQUIRE((whole >= 0.0 && whole <= 1.0));
+        REQUIRE((whole_rating >= 0.0 && whole_rating <= 1.0));
         if (most == 0.0) {
-          REQUIRE((activity == 0.0 && whole == 0.0 && command == Motion{}));
+          REQUIRE((whole == 0.0 && whole_rating == 0.0 && command == Motion{}));
           continue;
         }
         REQUIRE(shares == Approx(1.0));
-        REQUIRE((whole >= least_rating - 1e-12 && whole <= most_rating + 1e-12));
-        if (std::string(fusion) == "average") {
-          REQUIRE((activity >= least - 1e-12 && activity <= most + 1e-12));
-        } else if (std::string(fusion) == "sum") {
-          REQUIRE(
-              (activity >= std::min(1.0, most) - 1e-12 && activity <= std::min(1.0, sum) + 1e-12));
+        // The fusion is as active as those that it fuses: between the least and the most active
+        // one, or with `sum` up to all of them; and as content.
+        constexpr double kRounding = 1e-12;
+        REQUIRE(
+            (whole_rating >= least_rating - kRounding && whole_rating <= most_rating + kRounding));
+        if (fusion == "average") {
+          REQUIRE((whole >= least - kRounding && whole <= most + kRounding));
+        } else if (fusion == "sum") {
+          REQUIRE((whole >= most - kRounding && whole <= std::min(1.0, sum) + kRounding));
         } else {
-          REQUIRE(activity == Approx(most));
+          REQUIRE(whole == Approx(most));
+          REQUIRE(whole_rating == target[strongest]);
+          REQUIRE(command == team.answer(strongest).command);
         }
       }
     }
