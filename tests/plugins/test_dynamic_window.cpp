@@ -1,4 +1,5 @@
 // The dynamic window: what Fox, Burgard and Thrun (1997) claim of it.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -118,8 +119,10 @@ TEST_CASE("dynamic_window: it speeds up to the place, and no faster than its acc
              testing::stands() && testing::is_not_active() && testing::raises("arrived"));
 }
 
-TEST_CASE("dynamic_window: no command is outside of the window or not admissible") {
+TEST_CASE("dynamic_window: no command from which it cannot stop, if there is any other") {
+  const double a = 0.5, turn_a = 4.0, margin = 0.03;
   Random random(2);
+  int stoppable = 0, braked = 0;
   for (int i = 0; i < 2000; ++i) {
     const double period = std::pow(10.0, random.uniform(-3, -1));
     Situation now = window_moving(random.uniform(0, 0.4), random.uniform(-2, 2), period);
@@ -131,26 +134,80 @@ TEST_CASE("dynamic_window: no command is outside of the window or not admissible
         points.push_back({away * std::cos(radians(azimuth)), away * std::sin(radians(azimuth))});
       }
     }
+    // On its arc it drives for a period, and then brakes: v T + v^2 / 2a, and as far as it takes to
+    // stop the turn.
+    const auto can_stop = [&](const Motion& motion, double slack_m) {
+      const double v = motion.forward, w = std::abs(motion.turn);
+      if (v < 1e-6) return true;
+      double free = 1.5;
+      for (const Vector2& point : points) {
+        // Of what is within the margin already, 0.9 of its distance.
+        const double radius =
+            std::min(window_radius(margin),
+                     std::max(window_radius(0.0), 0.9 * std::hypot(point.x, point.y)));
+        free = std::min(free, free_arc(point, motion.turn / v, radius));
+      }
+      return v * period + std::max(v * v / (2.0 * a), v * w / (2.0 * turn_a)) <= free + slack_m;
+    };
     const Motion from = now.self.commanded;
-    const Motion command =
-        window_to(random.uniform(-3, 3), random.uniform(-3, 3)).respond(now).command;
+    const double x = random.uniform(-3, 3), y = random.uniform(-3, 3);
+    const Motion command = window_to(x, y).respond(now).command;
     CAPTURE(i, period, from.forward, from.turn, command.forward, command.turn);
-    CHECK(std::abs(command.forward - from.forward) <= 0.5 * period + 1e-9);
-    CHECK(std::abs(command.turn - from.turn) <= 4.0 * period + 1e-9);
-    if (command.forward < 1e-6) continue;
-    double free = 1.5;
-    for (const Vector2& point : points) {
-      // Of what is within the margin already, 0.9 of its distance.
-      const double radius = std::min(
-          window_radius(), std::max(window_radius(0.0), 0.9 * std::hypot(point.x, point.y)));
-      free = std::min(free, free_arc(point, command.turn / command.forward, radius));
+    REQUIRE(std::abs(command.forward - from.forward) <= a * period + 1e-9);
+    REQUIRE(std::abs(command.turn - from.turn) <= turn_a * period + 1e-9);
+    if (can_stop(command, 1e-9)) {
+      ++stoppable;
+      continue;
     }
-    const bool is_admissible = command.forward * command.forward <= 2 * 0.5 * free &&
-                               command.forward * std::abs(command.turn) <= 2 * 4.0 * free;
-    // If none is, it brakes as hard as it can.
-    const bool brakes = std::abs(command.forward - (from.forward - 0.5 * period)) < 1e-9 ||
-                        std::abs(std::abs(from.turn - command.turn) - 4.0 * period) < 1e-9;
-    CHECK((is_admissible || brakes));
+    ++braked;
+    // It is on the arc of the last command, as slow as it can be after a period ...
+    const double part = std::max(
+        {0.0, 1.0 - a * period / from.forward, 1.0 - turn_a * period / std::abs(from.turn)});
+    REQUIRE(command.forward == Approx(part * from.forward).margin(1e-9));
+    REQUIRE(command.turn == Approx(part * from.turn).margin(1e-9));
+    // ... and it could stop from none of those that it compares.
+    const double slowest = from.forward - a * period;
+    const double wanted = 0.4 * std::min(1.0, std::hypot(x, y) / 0.3);
+    const double fastest = std::max(slowest, std::min(wanted, from.forward + a * period));
+    const double right = std::max(-2.0, from.turn - turn_a * period);
+    const double left = std::min(2.0, from.turn + turn_a * period);
+    for (int v = 0; v < 5; ++v) {
+      for (int w = 0; w < 11; ++w) {
+        REQUIRE_FALSE(can_stop(
+            {slowest + (fastest - slowest) * v / 4, 0.0, right + (left - right) * w / 10}, -1e-9));
+      }
+    }
+  }
+  CHECK(stoppable > 1000);
+  CHECK(braked > 20);
+}
+
+TEST_CASE("dynamic_window: a robot that moves as it is told touches nothing") {
+  Random random(3);
+  for (int run = 0; run < 40; ++run) {
+    const double period = std::pow(10.0, random.uniform(-2, -1));
+    std::vector<Vector2> points;
+    while (points.size() < 40) {
+      const Vector2 point{random.uniform(-2, 2), random.uniform(-2, 2)};
+      if (std::hypot(point.x, point.y) > 0.3) points.push_back(point);
+    }
+    testing::Behavior window = window_to(3, 0, {{"speed", 0.2 + 0.2 * (run % 4)}});
+    Pose pose;
+    Motion command;
+    for (int step = 0; step < 400; ++step) {
+      Situation now = window_moving(command.forward, command.turn, period);
+      now.at(pose.x, pose.y, degrees(pose.heading_rad));
+      for (const Vector2& point : points) {
+        const double away = std::hypot(point.x - pose.x, point.y - pose.y);
+        CAPTURE(run, step, away);
+        REQUIRE(away >= window_radius(0.0) - 1e-9);
+        now.beam(degrees(bearing(pose, point.x, point.y)), away, 10.0);
+      }
+      command = window.respond(now).command;
+      const Pose moved = after_arc(command, period);
+      const Vector2 place = point_of(pose, {moved.x, moved.y});
+      pose = {place.x, place.y, wrap_angle(pose.heading_rad + moved.heading_rad)};
+    }
   }
 }
 
