@@ -359,6 +359,27 @@ TEST_CASE("A sensor whose sense() is misspelt is not compiled, and a sentence sa
   CHECK(refusal(here / "s.cpp", cache.path()) == "it was built");
 }
 
+TEST_CASE("An element that nests in a list of several structs is not compiled, and says why") {
+  Folder here, cache;
+  const auto behavior = [](const std::string& nests) {
+    return "#include <elsie/api/behavior.h>\n#include <variant>\n"
+           "struct A { double x = 0.0; std::vector<A> inner; };\n"
+           "struct B { double x = 0.0; };\n"
+           "class L final : public elsie::Behavior {\n public:\n"
+           "  std::vector<std::variant<A, B>> list;\n"
+           "  elsie::Response respond(const elsie::Perception&) override { return {}; }\n};\n"
+           "ELSIE_BEHAVIOR(L, \"l\", \"Lists\", elsie::elements(&L::list,\n"
+           "  elsie::element<A>(\"a\", \"one\", " +
+           nests +
+           "elsie::parameter(\"x\", &A::x)),\n"
+           "  elsie::element<B>(\"b\", \"other\", elsie::parameter(\"x\", &B::x))));\n";
+  };
+  write(here / "l.cpp", behavior("elsie::nests(&A::inner), "));
+  CHECK_THAT(refusal(here / "l.cpp", cache.path()), Contains("nests() needs a list of one struct"));
+  write(here / "l.cpp", behavior(""));
+  CHECK(refusal(here / "l.cpp", cache.path()) == "it was built");
+}
+
 TEST_CASE("A cache that other users could fill or replace is refused") {
   namespace fs = std::filesystem;
   const fs::perms all = fs::perms::all;

@@ -1,6 +1,9 @@
 #include <cmath>
+#include <string>
 
 #include <catch2/catch.hpp>
+
+#include "elsie/testing/world.h"
 
 #include "group.h"
 
@@ -97,6 +100,25 @@ TEST_CASE("disperse: of messages it takes those that tell from where, and no oth
   CHECK(dispersed(now, hears).command.turn == Approx(-4.0 * radians(90)));
   // What noise makes of a small distance.
   CHECK(dispersed(Situation().hear(HeadingMessage{}, "", -0.01, 0), hears).activation == 1.0);
+}
+
+TEST_CASE("Who perceives others by messages needs an actuator that hears them") {
+  for (const std::string name : {"aggregate", "disperse", "flock"}) {
+    CAPTURE(name);
+    const auto robot_with = [&](const std::string& actuators, const std::string& from) {
+      return testing::World::from_text(
+          "<world format='1'><robots><robot id='r1'><actuators>" + actuators +
+          "</actuators><behaviors><" + name + " from='" + from +
+          "'/></behaviors><coordinator><arbiter_suppression/></coordinator></robot></robots>"
+          "</world>");
+    };
+    CHECK_THROWS_WITH(robot_with("", "messages"),
+                      Catch::Contains("plugin '" + name + "': it perceives other robots by") &&
+                          Catch::Contains("add <range_and_bearing>"));
+    CHECK_THROWS_WITH(robot_with("<led/>", "messages"), Catch::Contains("no actuator that hears"));
+    CHECK_NOTHROW(robot_with("<range_and_bearing/>", "messages"));
+    CHECK_NOTHROW(robot_with("", "team"));
+  }
 }
 
 TEST_CASE("disperse: it says when others come too near, and when they have left") {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include <elsie/api/behavior.h>
@@ -22,6 +23,14 @@ class AmongMates : public elsie::Behavior {
   std::string from = "team";
 
   void configured() override { hears_ = from == "messages"; }
+  void equipped(const elsie::Perception& example) override {
+    if (hears_ && !example.self().hears_messages) {
+      throw std::invalid_argument(
+          "it perceives other robots by from=\"messages\", and the robot has no actuator that "
+          "hears "
+          "them; add <range_and_bearing>, or leave 'from' out");
+    }
+  }
 
  protected:
   /// Calls each(Neighbour) for every robot that is perceived now.

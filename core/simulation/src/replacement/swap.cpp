@@ -111,9 +111,7 @@ world::World Swap::adapted(world::World world) const {
 
 bool Swap::exchange(PluginObject& object, const std::string& path) {
   const Declaration* const fresh = host_.find(object.kind, object.use->plugin);
-  if (!fresh) {
-    refuse(path, host_.explain_missing(object.kind, object.use->plugin));
-  }
+  if (!fresh) refuse(path, host_.explain_missing(object.kind, object.use->plugin));
   if (static_cast<bool>(fresh->hold) != static_cast<bool>(object.declaration->hold)) {
     refuse(path,
            std::string(fresh->hold ? "it holds behaviours now" : "it no longer holds behaviours") +

@@ -80,12 +80,8 @@ Robot::Robot(const world::World& world, std::size_t index,
 }
 
 void Robot::for_each(Order order, const Visit& visit) const {
-  for (const auto& slot : sensors_) {
-    visit(*slot, "sensor[" + slot->use->id + "]", "");
-  }
-  for (const auto& slot : actuators_) {
-    visit(*slot, "actuator[" + slot->use->id + "]", "");
-  }
+  for (const auto& slot : sensors_) visit(*slot, "sensor[" + slot->use->id + "]", "");
+  for (const auto& slot : actuators_) visit(*slot, "actuator[" + slot->use->id + "]", "");
   visit(*drive_, "drive", "");
   if (localisation_) visit(*localisation_, "localisation", "");
   controller_->for_each(order, "", "", visit);
@@ -236,6 +232,9 @@ void Robot::group_sensors() {
   segments_.resize(std::any_of(sensors_.begin(), sensors_.end(), is_on_segment)
                        ? description_->segments.size()
                        : 0);
+  state_.hears_messages = std::any_of(actuators_.begin(), actuators_.end(), [](const auto& slot) {
+    return slot->declaration->hears_messages;
+  });
   feels_contacts_ = std::any_of(sensors_.begin(), sensors_.end(),
                                 [](const auto& slot) { return slot->declaration->feels_contacts; });
   for (std::size_t i = 0; i < sensors_.size(); ++i) {

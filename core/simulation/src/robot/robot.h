@@ -230,7 +230,9 @@ class Robot final : private RobotRequests {
   }
   const Tally& tally() const { return tally_; }
   /// None: it has no actuator that hears messages.
-  std::optional<Talk> talk() const;
+  std::optional<Talk> talk() const {
+    return state_.hears_messages ? std::optional(tally_.talk) : std::nullopt;
+  }
   /// Returns whether all its plugins may be called while other threads call those of other robots.
   bool may_share_threads() const { return may_share_threads_; }
   /// Whether one of its sensors asks for contacts.

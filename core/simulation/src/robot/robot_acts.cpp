@@ -88,13 +88,6 @@ void Robot::act(const Instant& now, const Fields& fields) {
   }
 }
 
-std::optional<Talk> Robot::talk() const {
-  const bool hears = std::any_of(actuators_.begin(), actuators_.end(), [](const auto& slot) {
-    return slot->declaration->hears_messages;
-  });
-  return hears ? std::optional(tally_.talk) : std::nullopt;
-}
-
 void Robot::ActuatorSlot::forget() {
   object().forget();
   if (disturbed) disturbed->forget();

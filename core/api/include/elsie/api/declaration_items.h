@@ -40,6 +40,10 @@ ParameterItem<Class, Value> parameter(const char* name, Value Class::*member,
 }
 
 template <class Item>
+struct NestsItem;
+
+/// `kNests`: it has nests().
+template <class Item, bool kNests = false>
 struct ElementItem {
   std::string name;
   std::string meaning;
@@ -51,24 +55,30 @@ struct ElementItem {
   std::function<ElementValue(const Item&)> tell;
 };
 
+/// An element of this struct with these items.
+template <class Item, class... Items>
+using ElementOf = ElementItem<Item, (std::is_same_v<Items, NestsItem<Item>> || ...)>;
+
 /// An element that stands for one object of the plain struct `Item`; its parameters are bound to
 /// members of that struct, like a plugin's to members of its class. Besides parameter(), its items
 /// may be elements(), nests() and element_name().
 template <class Item, class... Items>
-ElementItem<Item> element(const char* name, const char* meaning, Items... items);
+ElementOf<Item, Items...> element(const char* name, const char* meaning, Items... items);
 
-template <class Class, class Value, class... Items>
+template <class Class, class Value, class... Elements>
 struct ElementsItem {
   std::vector<Value> Class::*list;
-  std::tuple<ElementItem<Items>...> items;
+  std::tuple<Elements...> items;
 };
 
 /// A list of nested elements, bound to a member of the plugin's class, or of the struct of an
 /// element: a std::vector of the struct that element() describes, or of a std::variant of several
 /// such structs.
-template <class Class, class Value, class... Items>
-ElementsItem<Class, Value, Items...> elements(std::vector<Value> Class::*list,
-                                              ElementItem<Items>... items) {
+template <class Class, class Value, class... Items, bool... kNests>
+ElementsItem<Class, Value, ElementItem<Items, kNests>...> elements(
+    std::vector<Value> Class::*list, ElementItem<Items, kNests>... items) {
+  constexpr bool kMayNest = ((!kNests || std::is_same_v<Value, Items>)&&...);
+  static_assert(kMayNest, "nests() needs a list of one struct, and this is one of a std::variant");
   return {list, {std::move(items)...}};
 }
 
@@ -297,10 +307,10 @@ void apply(Declaration& declaration, const Plugin& defaults, ParameterItem<Class
 }
 
 /// How the elements of a list become objects, and back.
-template <class Value, class... Items>
+template <class Value, class... Elements>
 class ElementList {
  public:
-  explicit ElementList(const std::tuple<ElementItem<Items>...>& items) : items_(items) {}
+  explicit ElementList(const std::tuple<Elements...>& items) : items_(items) {}
 
   /// Their declarations, as the list of this number, without `clear` and `append`.
   std::vector<ElementDeclaration> declared(std::size_t number) const {
@@ -334,29 +344,25 @@ class ElementList {
   void each(const Visit& visit) const {
     std::apply([&](const auto&... item) { (visit(item), ...); }, items_);
   }
-  template <class Item>
-  Item made(const ElementItem<Item>& item, const ElementValue& value) const {
+  template <class Item, bool kNests>
+  Item made(const ElementItem<Item, kNests>& item, const ElementValue& value) const {
     Item object = item.make(value);
-    if constexpr (std::is_same_v<Value, Item>) {
-      if (item.nested) {
-        for (const ElementValue& inner : value.elements) append(inner, object.*item.nested);
-      }
+    if constexpr (kNests) {
+      for (const ElementValue& inner : value.elements) append(inner, object.*item.nested);
     }
     return object;
   }
-  template <class Item>
-  ElementValue told_of(const ElementItem<Item>& item, const Item& object) const {
+  template <class Item, bool kNests>
+  ElementValue told_of(const ElementItem<Item, kNests>& item, const Item& object) const {
     ElementValue value = item.tell(object);
-    if constexpr (std::is_same_v<Value, Item>) {
-      if (item.nested) {
-        for (const Item& inner : object.*item.nested) tell(inner, value.elements);
-      }
+    if constexpr (kNests) {
+      for (const Item& inner : object.*item.nested) tell(inner, value.elements);
     }
     return value;
   }
   /// The object as such an element describes it; null: another one does.
-  template <class Item>
-  static const Item* as(const ElementItem<Item>& item, const Value& value) {
+  template <class Item, bool kNests>
+  static const Item* as(const ElementItem<Item, kNests>& item, const Value& value) {
     if constexpr (std::is_same_v<Value, Item>) {
       return !item.name_member || value.*item.name_member == item.name ? &value : nullptr;
     } else {
@@ -364,16 +370,16 @@ class ElementList {
     }
   }
 
-  std::tuple<ElementItem<Items>...> items_;
+  std::tuple<Elements...> items_;
 };
 
-template <class Plugin, class Class, class Value, class... Items>
+template <class Plugin, class Class, class Value, class... Elements>
 void apply(Declaration& declaration, const Plugin& defaults,
-           ElementsItem<Class, Value, Items...> item) {
+           ElementsItem<Class, Value, Elements...> item) {
   static_assert(std::is_base_of_v<Class, Plugin>,
                 "a list of elements must be a member of the plugin's class");
   const auto list = item.list;
-  const auto elements = std::make_shared<ElementList<Value, Items...>>(item.items);
+  const auto elements = std::make_shared<ElementList<Value, Elements...>>(item.items);
   const std::size_t number =
       declaration.elements.empty() ? 0 : declaration.elements.back().list + 1;
   for (ElementDeclaration& element : elements->declared(number)) {
@@ -413,8 +419,8 @@ void apply(Declaration& declaration, const Plugin&, const Item& item) {
 namespace detail {
 
 /// Adds an item to an element, whose `make` and `tell` are so far those of the items before.
-template <class Item, class Value>
-void add(ElementItem<Item>& element, ParameterItem<Item, Value> parameter) {
+template <class Item, bool kNests, class Value>
+void add(ElementItem<Item, kNests>& element, ParameterItem<Item, Value> parameter) {
   element.parameters.push_back(describe(Item{}, parameter));
   element.make = [before = element.make, parameter](const ElementValue& value) {
     Item made = before(value);
@@ -429,10 +435,10 @@ void add(ElementItem<Item>& element, ParameterItem<Item, Value> parameter) {
     return value;
   };
 }
-template <class Item, class Value, class... Items>
-void add(ElementItem<Item>& element, ElementsItem<Item, Value, Items...> item) {
+template <class Item, bool kNests, class Value, class... Elements>
+void add(ElementItem<Item, kNests>& element, ElementsItem<Item, Value, Elements...> item) {
   const std::size_t number = element.elements.empty() ? 0 : element.elements.back().list + 1;
-  const auto elements = std::make_shared<ElementList<Value, Items...>>(item.items);
+  const auto elements = std::make_shared<ElementList<Value, Elements...>>(item.items);
   for (ElementDeclaration& inner : elements->declared(number)) {
     element.elements.push_back(std::move(inner));
   }
@@ -450,11 +456,11 @@ void add(ElementItem<Item>& element, ElementsItem<Item, Value, Items...> item) {
   };
 }
 template <class Item>
-void add(ElementItem<Item>& element, NestsItem<Item> item) {
+void add(ElementItem<Item, true>& element, NestsItem<Item> item) {
   element.nested = item.member;
 }
-template <class Item>
-void add(ElementItem<Item>& element, ElementNameItem<Item> item) {
+template <class Item, bool kNests>
+void add(ElementItem<Item, kNests>& element, ElementNameItem<Item> item) {
   element.name_member = item.member;
   element.make = [before = element.make, item](const ElementValue& value) {
     Item made = before(value);
@@ -466,8 +472,8 @@ void add(ElementItem<Item>& element, ElementNameItem<Item> item) {
 }  // namespace detail
 
 template <class Item, class... Items>
-ElementItem<Item> element(const char* name, const char* meaning, Items... items) {
-  ElementItem<Item> made;
+ElementOf<Item, Items...> element(const char* name, const char* meaning, Items... items) {
+  ElementOf<Item, Items...> made;
   made.name = name;
   made.meaning = meaning;
   made.make = [](const ElementValue&) { return Item{}; };

@@ -59,6 +59,7 @@ struct OwnState {
   double energy = 5000.0;    // units
   double capacity = 5000.0;  // units
   bool charging = false;
+  bool hears_messages = true;       // it has an actuator that hears them
   std::span<const HeldThing> held;  // one for each actuator that holds something
 
   /// The largest wheel rate that the robot obeys, rad/s.
