@@ -103,11 +103,11 @@ class ArbiterLearning final : public WinnerTakesAll,
               : "its robot has no reward");
     }
     rewards_ = rewards;
-    if (known.tables.empty()) {
-      agents_ = Agents(several ? rewards : std::vector<std::string>{kOneAgent}, space_.size(),
-                       behaviors_.size());
-    } else {
-      agents_ = Agents(std::move(known.tables));
+    agents_ = known.tables.empty() ? Agents(several ? rewards : std::vector<std::string>{kOneAgent},
+                                            space_.size(), behaviors_.size())
+                                   : Agents(std::move(known.tables));
+    if (!agents_.fit(space_.size(), behaviors_.size(), several)) {
+      throw std::invalid_argument("what was learned before does not fit it any more");
     }
     lesson_.emplace(Lesson{exploration, random});
   }
