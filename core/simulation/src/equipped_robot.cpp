@@ -5,11 +5,9 @@
 
 namespace elsie::simulation {
 
-EquippedRobot::EquippedRobot(const world::World& world, std::size_t robot,
-                             const plugin::Host& host) {
-  robot_ =
-      std::make_unique<Robot>(world, robot, std::make_shared<CommonData>(world), host, Options{});
-}
+EquippedRobot::EquippedRobot(const world::World& world, std::size_t robot, const plugin::Host& host)
+    : robot_(std::make_unique<Robot>(world, robot, std::make_shared<CommonData>(world), host,
+                                     Options{})) {}
 EquippedRobot::EquippedRobot(EquippedRobot&&) noexcept = default;
 EquippedRobot::~EquippedRobot() = default;
 

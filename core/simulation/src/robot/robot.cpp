@@ -431,12 +431,9 @@ PluginObject* Robot::find_object(const world::PluginUse& use) const {
 }
 
 Component& Robot::object(const world::PluginUse& use) const {
-  const PluginObject* const found = find_object(use);
-  if (!found) {
-    throw std::invalid_argument("the plugin '" + use.plugin + "' is not part of the robot '" +
-                                description_->id + "'");
-  }
-  return *found->held;
+  if (const PluginObject* const found = find_object(use)) return *found->held;
+  throw std::invalid_argument("the plugin '" + use.plugin + "' is not part of the robot '" +
+                              description_->id + "'");
 }
 
 void Robot::set_up(PluginObject& object, const Setup& setup) {
