@@ -58,10 +58,7 @@ class ArbiterLearning final : public WinnerTakesAll,
 
   void remember(elsie::Memory& memory) override {
     std::vector<double> choice;
-    if (choice_) {
-      choice = {static_cast<double>(choice_->state), static_cast<double>(choice_->action),
-                choice_->since_s};
-    }
+    if (choice_) choice = {double(choice_->state), double(choice_->action), choice_->since_s};
     memory("choice", choice);
     if (!memory.recalls() || choice_ || choice.size() != 3) return;
     resume(Choice{
