@@ -3,6 +3,7 @@
 // selection methods using reinforcement learning", 1997). A choice holds for a while, so that both
 // are those of semi-Markov decision processes (Bradtke and Duff, 1995). In a run nothing is
 // learned.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -82,7 +83,7 @@ class ArbiterLearning final : public WinnerTakesAll,
     const elsie::Motion command =
         let_decide(members, choice_->action, reasons_[choice_->action].c_str(), "");
     for (std::size_t i = 0; i < members.size(); ++i) {
-      members[i].trace.weight = value_of(i);
+      members[i].trace.weight = value_of(i) - least_;
       members[i].trace.reason = reasons_[i];
     }
     return command;
@@ -225,7 +226,11 @@ class ArbiterLearning final : public WinnerTakesAll,
   void explain() {
     const auto number = [](double value) { return elsie::base::number_text(value, 3); };
     reasons_.resize(behaviors_.size());
-    for (std::size_t i = 0; i < reasons_.size(); ++i) reasons_[i] = "value " + number(value_of(i));
+    least_ = value_of(0);
+    for (std::size_t i = 0; i < reasons_.size(); ++i) {
+      reasons_[i] = "value " + number(value_of(i));
+      least_ = std::min(least_, value_of(i));
+    }
     std::string& won = reasons_[choice_->action];
     won +=
         (choice_->leader ? ", best in state " : ", tried in state ") + space_.text(choice_->state);
@@ -245,6 +250,7 @@ class ArbiterLearning final : public WinnerTakesAll,
   std::size_t state_ = 0;  // perceived last
   std::optional<Choice> choice_;
   std::vector<std::string> reasons_;  // of the choice, in the trace
+  double least_ = 0.0;                // value in its state; weights in the trace are not negative
 };
 
 }  // namespace
