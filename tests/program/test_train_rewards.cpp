@@ -161,7 +161,7 @@ TEST_CASE("What cannot be trained from rewards is refused, and nothing is writte
       {"without.xml --robot r1",
        "nothing rewards the robot 'r1': no measure of this world publishes a number 'reward' for "
        "it; add one to <measures>, such as <reward robot=\"r1\""},
-      {"w.xml --robot r1", "with method=\"w\" rewards compete, and its robot has only one"},
+      {"w.xml --robot r1", "with method=\"w\" rewards compete; its robot has one"},
       {"small.xml --robot r2", "the robot 'r2' has no coordinator"},
       {"edited.xml --robot r1", "an edit in the run put another one in its place"},
       {"small.xml --robot r1 --hidden 3",

@@ -1,8 +1,7 @@
 // Which behaviour decides is learned from rewards: by Q-learning (Watkins, "Learning from delayed
-// rewards", 1989), or by W-learning between agents that each know one reward (Humphrys, "Action
-// selection methods using reinforcement learning", 1997). A choice holds for a while, so that both
-// are those of semi-Markov decision processes (Bradtke and Duff, 1995). In a run nothing is
-// learned.
+// rewards", 1989), or by W-learning of agents that know one reward each (Humphrys, "Action
+// selection methods using reinforcement learning", 1997). A choice holds for a while, as in
+// semi-Markov decision processes (Bradtke and Duff, 1995). In a run nothing is learned.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -62,8 +61,7 @@ class ArbiterLearning final : public WinnerTakesAll,
     if (choice_) choice = {double(choice_->state), double(choice_->action), choice_->since_s};
     memory("choice", choice);
     if (!memory.recalls() || choice_ || choice.size() != 3) return;
-    resume(Choice{
-        static_cast<std::size_t>(choice[0]), static_cast<std::size_t>(choice[1]), {}, choice[2]});
+    resume(Choice{std::size_t(choice[0]), std::size_t(choice[1]), {}, choice[2]});
   }
 
   std::vector<std::string> notes() const override { return notes_; }
@@ -93,12 +91,9 @@ class ArbiterLearning final : public WinnerTakesAll,
              const elsie::Random& random) override {
     if (behaviors_.empty()) throw std::invalid_argument("it has no behaviours to choose from");
     const bool several = method == "w";
-    if (rewards.size() < (several ? 2 : 1)) {
+    if (several && rewards.size() < 2) {
       throw std::invalid_argument(
-          several
-              ? "with method=\"w\" rewards compete, and its robot has only one; give it another "
-                "one, or make the method \"q\""
-              : "its robot has no reward");
+          "with method=\"w\" rewards compete; its robot has one, expected two or more");
     }
     rewards_ = rewards;
     agents_ = known.tables.empty() ? Agents(several ? rewards : std::vector<std::string>{kOneAgent},
@@ -181,10 +176,9 @@ class ArbiterLearning final : public WinnerTakesAll,
 
   /// Goes on with a choice of before, if there still are its state and its behaviour.
   void resume(std::optional<Choice> before) {
-    choice_ = std::move(before);
-    if (choice_ && (choice_->state >= space_.size() || choice_->action >= behaviors_.size())) {
-      choice_.reset();
-    }
+    const bool is_there =
+        before && before->state < space_.size() && before->action < behaviors_.size();
+    choice_ = is_there ? std::move(before) : std::nullopt;
     if (!choice_) return;
     choice_->leader = agents_.leader(choice_->state);
     explain();
@@ -226,7 +220,7 @@ class ArbiterLearning final : public WinnerTakesAll,
   void explain() {
     const auto number = [](double value) { return elsie::base::number_text(value, 3); };
     reasons_.resize(behaviors_.size());
-    least_ = value_of(0);
+    least_ = value_of(choice_->action);
     for (std::size_t i = 0; i < reasons_.size(); ++i) {
       reasons_[i] = "value " + number(value_of(i));
       least_ = std::min(least_, value_of(i));

@@ -422,7 +422,7 @@ TEST_CASE("What it cannot learn, or decide by, is refused in words") {
 
   Robot robot({{"untrained", true}, {"method", std::string("w")}});
   CHECK_THROWS_WITH(robot.learner().begin({"r"}, {}, 0.0, Random(1)),
-                    Contains("with method=\"w\" rewards compete, and its robot has only one"));
+                    Contains("with method=\"w\" rewards compete; its robot has one"));
   CHECK_THROWS_WITH(robot.learner().learned(std::vector<double>{1.0}),
                     Contains("was made again, by an edit in the run"));
 }
