@@ -51,7 +51,7 @@ struct GraphLayout {
 };
 
 /// Graphviz lays the graphs out: each in a frame with its path, if there are several. Takes
-/// seconds for a thousand nodes. Throws base::Error when Graphviz fails.
+/// about a second for a thousand nodes. Throws base::Error when Graphviz fails.
 GraphLayout lay_out(const std::vector<NamedGraph>& graphs);
 
 /// Draws what is running, and what has succeeded or failed, in colour. `format`: "svg" or "png".
