@@ -21,7 +21,8 @@ struct Goer {
 
 /// Each of them goes to the place (1, 0).
 Goer goer(const std::string& name) {
-  if (name == "home") return {name, "at_home", {{"x", 1.0}, {"radius", 0.1}}, {}};
+  if (name == "home")
+    return {name, "at_home", {{"x", 1.0}, {"radius", 0.1}, {"stop_within", 1.0}}, {}};
   if (name == "patrol") {
     return {name, "at_place", {{"tolerance", 0.1}}, {{"place", {{"x", 1.0}}}}};
   }

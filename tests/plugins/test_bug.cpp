@@ -269,18 +269,14 @@ TEST_CASE("bug: it goes to a new place after it has given up, and may give up ag
         bug_world(locked, bug_robot(algorithm, "right", 3.0) + "<changes>" + change(200, "-3") +
                               change(300, "3.1") + "</changes>"),
         {}, bug_plugins());
+    world.run();
+    std::vector<std::string> ends;
+    for (const auto& event : world.simulation().events()) {
+      if (event.name() == "arrived" || event.name() == "unreachable") ends.push_back(event.name());
+    }
     CAPTURE(algorithm);
-    world.run_for(200.0);
-    CHECK(world.count("unreachable") == 1);
-    const Pose given_up = world.pose("r1");
-    CHECK(given_up.x > 2.0);
-    world.run_for(100.0);
-    CHECK(world.count("arrived") == 1);
-    CHECK(std::hypot(world.pose("r1").x + 3.0, world.pose("r1").y) < 0.1);
-    CHECK(world.count("unreachable") == 1);
-    world.run_for(200.0);
-    CHECK(world.count("unreachable") == 2);
-    CHECK(world.count("arrived") == 1);
+    CHECK(ends == std::vector<std::string>{"unreachable", "arrived", "unreachable"});
+    CHECK(world.pose("r1").x > 2.0);
     CHECK(world.count("collision") == 0);
   }
 }
