@@ -9,6 +9,8 @@
 
 #include "scene/scene_view.h"
 #include "window.h"
+#include "world/form.h"
+#include "world/properties.h"
 
 namespace elsie::desktop {
 
@@ -43,6 +45,13 @@ inline void turn_wheel(QWidget* widget, const QPoint& at, int eighths) {
   QWheelEvent wheel(at, widget->mapToGlobal(at), {}, {0, eighths}, Qt::NoButton, {},
                     Qt::NoScrollPhase, false);
   QApplication::sendEvent(widget, &wheel);
+}
+
+/// A field of the form of what is selected.
+inline QLineEdit* field(Window& window, const char* name) {
+  auto* edit = qobject_cast<QLineEdit*>(window.get<Properties>("properties")->form().editor(name));
+  REQUIRE(edit);
+  return edit;
 }
 
 /// The pixel of a point of the world in the view.

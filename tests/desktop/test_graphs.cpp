@@ -54,10 +54,6 @@ GraphPanel* graph_in_front(Window& window) {
   return window.get<GraphPanel>("graph");
 }
 
-QLineEdit* field(Window& window, const char* name) {
-  return qobject_cast<QLineEdit*>(window.get<Properties>("properties")->form().editor(name));
-}
-
 }  // namespace
 
 TEST_CASE("The graph of the selected robot is lit while the world runs, and back in time") {
@@ -106,13 +102,11 @@ TEST_CASE("A recorded run that is played shows its graph") {
 TEST_CASE("States in states are in the tree, and have forms") {
   Room window(kTwoStates);
   window.choose(kFirst);
-  REQUIRE(field(window, "behavior"));
   CHECK(field(window, "behavior")->text() == "wander");
   window.choose(kFirst + "/transition");
   window.after([&] { enter(field(window, "after"), "2.5"); });
   CHECK(window.bench().text().contains("<transition to=\"rest\" after=\"2.5\"/>"));
   window.choose("robot[r2]/coordinator/sequence/run");
-  REQUIRE(field(window, "success"));
   CHECK(field(window, "success")->toolTip().contains("an event that means its success"));
 }
 

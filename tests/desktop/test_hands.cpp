@@ -38,12 +38,6 @@ constexpr const char* kThree = R"(<world format="1">
 </world>
 )";
 
-QLineEdit* field(Window& window, const char* name) {
-  auto* edit = qobject_cast<QLineEdit*>(window.get<Properties>("properties")->form().editor(name));
-  REQUIRE(edit);
-  return edit;
-}
-
 void enter_by_hand(QLineEdit* edit, const char* text) {
   click_on(edit);
   press_key(edit, Qt::Key_A, Qt::ControlModifier);
