@@ -104,6 +104,28 @@ TEST_CASE("Charts of times have every level in their frame, even if no median is
   }
 }
 
+TEST_CASE("Of two factors with many levels, the longer list of names has rows of its own") {
+  MadeExperiment study;
+  study.factors = {"world", "mood", "kind"};
+  for (int mood = 0; mood < 8; ++mood) {
+    for (int kind = 0; kind < 7; ++kind) {
+      elsie::test::MadeCell& cell = study.cells.emplace_back();
+      cell.levels = {"w", "mood" + std::to_string(mood), "kind" + std::to_string(kind)};
+      cell.label = cell.levels[1] + ", " + cell.levels[2];
+      cell.world_text = elsie::test::made_world();
+      for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+        elsie::test::MadeRun& run = cell.runs.emplace_back();
+        run.seed = seed;
+        run.measures = {{"success", 1.0},
+                        {"path_length_m", mood + 0.1 * static_cast<double>(seed)}};
+      }
+    }
+  }
+  const Folder folder;
+  draw(Made(study), folder.path(), {"svg"});
+  CHECK(names_in(folder.path()).contains("tiles-path_length_m-kind-mood.svg"));
+}
+
 TEST_CASE("Every figure is a file of each format, with its texts as texts") {
   const Made made(by_factor());
   const Folder folder;

@@ -167,10 +167,13 @@ std::vector<Chart> pair_charts(const Findings& findings, const Response& respons
   const std::vector<VariedFactor> factors = varied_factors(findings.results);
   for (std::size_t i = 0; i < factors.size(); ++i) {
     for (std::size_t j = i + 1; j < factors.size(); ++j) {
-      // Lines are the levels of the coloured factor, or of the one with fewer levels.
-      const bool swap =
-          inks.factor == factors[i].factor ||
-          (inks.factor != factors[j].factor && factors[i].levels.size() < factors[j].levels.size());
+      // Lines are the levels of the coloured factor, or of the one with fewer levels. Tiles alone
+      // have the longer list of names where each name has a row of its own.
+      const std::size_t first = factors[i].levels.size(), second = factors[j].levels.size();
+      const bool swap = std::min(first, second) > kMostLines
+                            ? first > second
+                            : inks.factor == factors[i].factor ||
+                                  (inks.factor != factors[j].factor && first < second);
       const VariedFactor& along = factors[swap ? j : i];
       const VariedFactor& lines = factors[swap ? i : j];
       const std::size_t columns = along.levels.size(), rows = lines.levels.size();
