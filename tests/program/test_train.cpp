@@ -155,7 +155,7 @@ TEST_CASE("train refuses what it cannot do, and writes nothing then") {
       {"two.xml", "say which with --robot: a, b"},
       {"two.xml --robot a",
        "'arbiter_suppression' of the robot 'a' does not learn; those that do: "
-       "arbiter_neural_network, fusion_neural_network"},
+       "arbiter_learning, arbiter_neural_network, fusion_neural_network"},
       {"two.xml --robot b", "has no coordinator"},
       {kLearners + " --behavior explore", "there is no behaviour 'explore' in robot 'r1'"},
       {kLearners + " --behavior go_to_point", "holds no other behaviours"},

@@ -20,7 +20,7 @@ std::string small_world(
     const std::string& rewards = "<reward id='food' robot='r1' of='collected'/>") {
   return R"(<world format="1">
   <arena length="6" width="4"/>
-  <resources><resource id="apple" x="0.6" y="0"/></resources>
+  <resources><resource id="apple" x="0.35" y="0"/></resources>
   <robots>
     <robot id="r1">
       <behaviors>
@@ -72,9 +72,9 @@ TEST_CASE("The same seed gives the same file, and another one another") {
   Workplace here;
   here.write("small.xml", small_world());
   for (const char* how : {"a --seed 2", "b --seed 2", "c --seed 9"}) {
-    REQUIRE(
-        here.elsie("train small.xml --robot r1 --quiet --episodes 12 --values " + std::string(how))
-            .exit_code == 0);
+    REQUIRE(here.elsie("train small.xml --robot r1 --quiet --episodes 12 --explore 1 --values " +
+                       std::string(how))
+                .exit_code == 0);
   }
   CHECK(here.read("a") == here.read("b"));
   CHECK(here.read("a") != here.read("c"));
@@ -83,13 +83,14 @@ TEST_CASE("The same seed gives the same file, and another one another") {
 TEST_CASE("Values of before do not matter to a training, and a run does not change them") {
   Workplace here;
   here.write("small.xml", small_world());
-  REQUIRE(here.elsie("train small.xml --robot r1 --quiet --episodes 12 --values a").exit_code == 0);
+  REQUIRE(here.elsie("train small.xml --robot r1 --quiet --episodes 12 --explore 1 --values a")
+              .exit_code == 0);
   here.write("trained.xml", small_world("values=\"a\""));
   const std::string before = here.read("a");
   CHECK(here.elsie("run trained.xml --quiet").exit_code == 0);
   CHECK(here.read("a") == before);
-  REQUIRE(here.elsie("train trained.xml --robot r1 --quiet --episodes 12 --values b").exit_code ==
-          0);
+  REQUIRE(here.elsie("train trained.xml --robot r1 --quiet --episodes 12 --explore 1 --values b")
+              .exit_code == 0);
   CHECK(here.read("b") == before);
 }
 
@@ -140,7 +141,8 @@ TEST_CASE("Rewards of others do not count, those of all do; agents have the name
                                       "<reward id='all' of='-collisions'/>"
                                       "<reward id='other' robot='r2' of='collected'/>"
                                       "<path_length/>"));
-  REQUIRE(here.elsie("train small.xml --robot r1 --quiet --episodes 4 --values w").exit_code == 0);
+  REQUIRE(here.elsie("train small.xml --robot r1 --quiet --episodes 30 --explore 1 --values w")
+              .exit_code == 0);
   CHECK_THAT(here.read("w"),
              Catch::Contains("about rewards food all\n") && Catch::Contains("table food 2 2\n") &&
                  Catch::Contains("table all 2 2\n") && Catch::Contains("table W 2 2\n"));
@@ -170,9 +172,8 @@ TEST_CASE("What cannot be trained from rewards is refused, and nothing is writte
       {"small.xml --robot r1 --weights other", "--weights: the coordinator"},
       {"small.xml --robot r1 --episodes 0", "--episodes"},
       {"small.xml --robot r1 --explore 1.5", "--explore"},
-      {"worlds/learned_priorities.xml --episodes 3",
-       "--episodes: the coordinator 'fusion_neural_network' learns from samples"},
-      {"worlds/learned_priorities.xml", "--values: the coordinator 'fusion_neural_network'"},
+      {"worlds/learned_priorities.xml",
+       "--values: the coordinator 'fusion_neural_network' learns from samples, not from rewards"},
       {"small.xml --robot r1 --curve w", "must end in .png or .svg"}};
   for (const auto& [arguments, message] : wrong) {
     const auto run = here.elsie("train " + arguments + " --values w");
@@ -180,6 +181,11 @@ TEST_CASE("What cannot be trained from rewards is refused, and nothing is writte
     CHECK(run.exit_code == 2);
     CHECK_THAT(run.err, Catch::Contains(message));
     CHECK(here.read("w").empty());
+  }
+  for (const char* option : {"--episodes 3", "--explore 0.1"}) {
+    const auto run = here.elsie(std::string("train worlds/learned_priorities.xml ") + option);
+    CHECK(run.exit_code == 2);
+    CHECK_THAT(run.err, Catch::Contains("learns from samples, not from rewards"));
   }
   here.write("precious.xml", "<world/>");
   const auto over = here.elsie("train small.xml --robot r1 --values precious.xml");
@@ -195,7 +201,7 @@ TEST_CASE("Without values neither run nor check takes the world, and both name e
     const auto refused = here.elsie(command);
     CAPTURE(command);
     CHECK(refused.exit_code == 2);
-    CHECK_THAT(refused.err, Catch::StartsWith("small.xml:12: ") &&
+    CHECK_THAT(refused.err, Catch::StartsWith("small.xml:11: ") &&
                                 Catch::Contains("it has no values: train it with `elsie train"));
   }
 }
@@ -218,7 +224,7 @@ TEST_CASE("In a world with layouts each episode has a world of its own, as runs 
   Workplace here;
   std::string world = small_world();
   world.insert(world.find("<measures>"),
-               "<layouts><draw path='resource[apple]/@x' from='-0.9' to='0.9'/></layouts>");
+               "<layouts><draw path='resource[apple]/@x' from='-0.9' to='-0.3'/></layouts>");
   here.write("drawn.xml", world);
   const auto run = here.elsie("train drawn.xml --robot r1 --episodes 6 --explore 0 --json");
   CAPTURE(run.err);
