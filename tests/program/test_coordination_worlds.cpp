@@ -135,6 +135,9 @@ TEST_CASE("Worlds that one coordinator solves, and others do not") {
       {"fetch", {"<arbiter_action_selection/>", "<fusion_vector_summation/>"}},
       {"guard", {"<fusion_vector_summation/>", "<arbiter_suppression/>"}},
       {"slide", {"<arbiter_action_selection/>", "<arbiter_suppression/>"}},
+      {"learned_arbitration",
+       {"<arbiter_action_selection/>", "<arbiter_action_selection by_priority=\"true\"/>",
+        "<arbiter_subsumption/>", "<arbiter_strength/>", "<fusion_vector_summation/>"}},
   };
   for (const Case& each : all) {
     CAPTURE(each.world);
@@ -147,4 +150,18 @@ TEST_CASE("Worlds that one coordinator solves, and others do not") {
       CHECK(result_of(each.world, 1, other)["outcome"] != "success");
     }
   }
+}
+
+TEST_CASE("Learned arbitration needs all behaviours: each alone fails, and so does no learning") {
+  Workplace here;
+  const auto run = [&](const std::string& edits) {
+    return json::parse(here.elsie("run worlds/learned_arbitration.xml --json" + edits).out);
+  };
+  for (const std::string behavior : {"avoid_obstacle", "gather", "recharge"}) {
+    CAPTURE(behavior);
+    CHECK(run(" --set 'robot[r1]/coordinator=<arbiter_suppression/>' --set 'robot[r1]/behavior[" +
+              behavior + "]/@priority=2'")["outcome"] != "success");
+  }
+  CHECK(run(" --set robot[r1]/coordinator/@values/@remove=true"
+            " --set robot[r1]/coordinator/@untrained=true")["outcome"] != "success");
 }

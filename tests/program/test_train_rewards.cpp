@@ -234,3 +234,23 @@ TEST_CASE("In a world with layouts each episode has a world of its own, as runs 
   for (const json& each : episodes) times.insert(each.at("time_s").get<double>());
   CHECK(times.size() >= 3);
 }
+
+TEST_CASE("The values of the shipped worlds are those that train learns in the scattered one") {
+  Workplace here;
+  const auto run =
+      here.elsie("train worlds/scattered/learned_arbitration.xml --quiet --values learned");
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  CHECK(here.read("learned") == here.read("training_sets/learned_arbitration.values"));
+}
+
+TEST_CASE("In the shipped world W-learning gets there, too") {
+  Workplace here;
+  const std::string w = " --set robot[r1]/coordinator/@method=w";
+  REQUIRE(here.elsie("train worlds/learned_arbitration.xml --quiet --values learned" + w +
+                     " --set robot[r1]/coordinator/@values/@remove=true")
+              .exit_code == 0);
+  CHECK(here.elsie("run worlds/learned_arbitration.xml --quiet" + w +
+                   " --set robot[r1]/coordinator/@values=learned")
+            .exit_code == 0);
+}

@@ -29,7 +29,7 @@ Examples:
   elsie train worlds/learned_priorities.xml --robot r1 --weights r1.weights
   elsie train worlds/learned_priorities.xml --hidden '4 4' --seed 3 --curve curve.png
   elsie run worlds/learned_priorities.xml --set 'robot[r1]/coordinator/@weights=r1.weights'
-  elsie train worlds/learned_arbitration.xml --episodes 50 --values r1.values --curve curve.png
+  elsie train worlds/learned_arbitration.xml --values r1.values --curve rewards.png
   elsie run worlds/learned_arbitration.xml --set 'robot[r1]/coordinator/@values=r1.values'
 
 A network is the one that `elsie run` trains with the same seed. From rewards a coordinator learns in
