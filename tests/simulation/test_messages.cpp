@@ -34,10 +34,14 @@ class Talks final : public Behavior {
   double word = 0.0;
   std::string to;
   std::int64_t first = 0, last = 0;  // periods in which it speaks
+  bool relays = false;               // says what it hears again
   void reset(Random&) override { period_ = 0; }
   Response respond(const Perception& now) override {
     Response response;
     if (period_ >= first && period_ <= last) response.say(Word{word}, to);
+    if (relays && !now.all_heard().empty()) {
+      response.act(SayCommand{now.all_heard()[0].message, to});
+    }
     ++period_;
     sum = count = 0.0;
     age = distance = bearing = -1.0;
@@ -67,10 +71,11 @@ const plugin::Host& talking() {
     host.add(declare<Talks>(
         PluginKind::behavior, "talks", "talks", only_acts(), parameter("word", &Talks::word),
         parameter("to", &Talks::to), parameter("first", &Talks::first),
-        parameter("last", &Talks::last), publishes("sum", &Talks::sum),
-        publishes("count", &Talks::count), publishes("age", &Talks::age),
-        publishes("distance", &Talks::distance), publishes("bearing", &Talks::bearing),
-        publishes("order", &Talks::order), publishes("named", &Talks::is_named)));
+        parameter("last", &Talks::last), parameter("relays", &Talks::relays),
+        publishes("sum", &Talks::sum), publishes("count", &Talks::count),
+        publishes("age", &Talks::age), publishes("distance", &Talks::distance),
+        publishes("bearing", &Talks::bearing), publishes("order", &Talks::order),
+        publishes("named", &Talks::is_named)));
     return host;
   }();
   return made;
@@ -299,6 +304,15 @@ TEST_CASE("A robot whose battery is empty neither speaks nor hears") {
   simulation.step();
   CHECK(heard_by(simulation, 1) == 0.0);
   CHECK(heard_by(simulation, 0) == 0.0);
+}
+
+TEST_CASE("A message may be passed on for ever") {
+  const std::string more = R"(relays="true" last=")";
+  auto simulation = of_robots(talker("a", 0, 0, 3, "<radio/>", more + "0\"") +
+                                  talker("b", 1, 0, 5, "<radio/>", more + "-1\""),
+                              R"(<physics engine="planar"/>)");
+  for (int i = 0; i < 100'000; ++i) simulation.step();
+  CHECK(heard_by(simulation, 0) + heard_by(simulation, 1) == 3.0);
 }
 
 TEST_CASE("A message to a robot that there never was ends the run and names who said it") {

@@ -27,8 +27,8 @@ class AmongMates : public elsie::Behavior {
     if (hears_ && !example.self().hears_messages) {
       throw std::invalid_argument(
           "it perceives other robots by from=\"messages\", and the robot has no actuator that "
-          "hears "
-          "them; add <range_and_bearing>, or leave 'from' out");
+          "hears them; "
+          "add <range_and_bearing>, or leave 'from' out");
     }
   }
 

@@ -55,9 +55,7 @@ bool EditTransaction::keeps(PluginObject& object, const world::PluginUse& was,
 void EditTransaction::equip_again(PluginObject& object, const Example& example) {
   const Tuned tuned = has_other(object) ? again_with_.at(&object) : Tuned();
   blaming(*object.use, problems_, [&] {
-    if (tuned.now) {
-      object.try_out(*tuned.now, example);
-    }
+    if (tuned.now) object.try_out(*tuned.now, example);
     const Memory memory = memory_of(*object.held);
     again_.add([&object, before = tuned.before, memory, example] {
       std::vector<base::Problem> ignored;

@@ -74,11 +74,16 @@ class PluginObject {
   virtual std::optional<Camera> camera_of(const Component& /*object*/) const { return {}; }
   /// Resets the object, with the random stream of this path at its start. Its parameters stay.
   virtual void reset(std::uint64_t seed, const std::string& path);
-  /// The same message, which keeps the object's library loaded for as long as it is under way.
+  /// The same message, which keeps the library of its maker loaded for as long as it is under way.
   using Message = std::shared_ptr<const AnyMessage>;
   Message lasting(const Message& message) const {
-    using Both = std::pair<std::shared_ptr<const plugin::Library>, Message>;  // released last
-    return {std::make_shared<Both>(held.get_deleter().library, message), message.get()};
+    struct Keeping {
+      std::shared_ptr<const plugin::Library> library;  // released last
+      Message message;
+      void operator()(const AnyMessage*) { message.reset(); }
+    };
+    if (std::get_deleter<Keeping>(message)) return message;  // heard, and said again
+    return {message.get(), Keeping{held.get_deleter().library, message}};
   }
 
   /// Data that few objects have.

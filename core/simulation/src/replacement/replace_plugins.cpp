@@ -10,9 +10,7 @@ Replacement Simulation::Impl::replace_plugins(const plugin::Host& host) {
     own_robot(i);  // its description is adapted
   }
   Swap swap(host, seed_, options_.data_directories);
-  for (const auto& robot : robots_) {
-    robot->replace(swap, *cameras_);
-  }
+  for (const auto& robot : robots_) robot->replace(swap, *cameras_);
   if (start_) start_ = std::make_shared<const world::World>(swap.adapted(*start_));
   Replacement replacement = swap.settle();
   in_place_.emplace(world_, host, options_);

@@ -175,11 +175,13 @@ void Swap::hand_over(const Example& example) {
     }
   });
   for (const auto& [object, path] : staying_) {
-    run(*object, path, [&, object = object] {
-      const Memory memory = memory_of(*object->held);
-      again_.add([object, memory, example] { object->equip_again({}, memory, example); });
-      object->equip_again({}, memory, example);
-    });
+    Memory memory;
+    run(*object, path, [&, object = object] { memory = memory_of(*object->held); });
+    const auto equip = [this, object = object, path = path, memory, example] {
+      run(*object, path, [&] { object->equip_again({}, memory, example); });
+    };
+    again_.add(equip);
+    equip();
   }
 }
 

@@ -46,13 +46,13 @@ class Swap {
   /// The world with the parameters that the plugins of the new host still declare.
   world::World adapted(world::World world) const;
 
-  /// Runs code of an exchanged object; its exceptions become a ReplacementRefused.
+  /// Runs code of an object; its exceptions become a ReplacementRefused.
   template <class Action>
   void run(const PluginObject& object, const std::string& path, Action action) const {
     const plugin::Call call({.plugin = &object.use->plugin,
                              .id = &object.use->id,
                              .robot = &robot_,
-                             .doing = "while it replaced an older object"});
+                             .doing = "while plugins were replaced"});
     try {
       action();
     } catch (...) {

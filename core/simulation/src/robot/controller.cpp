@@ -226,9 +226,7 @@ Response Controller::respond(const Perception& now) {
     response.status =
         setting_.guard.step(*coordinator_, [&] { return coordinator_->object().status(); });
   }
-  for (const ChosenAct& chosen : acts_) {
-    response.acts.push_back(chosen.act);
-  }
+  for (const ChosenAct& chosen : acts_) response.acts.push_back(chosen.act);
   double shares = 0.0, activation = 0.0, strength = 0.0, speed = 0.0, lateral = 0.0, turn = 0.0;
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const TraceRow& trace = members_[i].trace;
@@ -269,9 +267,7 @@ void Controller::rate(std::span<const Motion> candidates, std::span<double> desi
 }
 
 CommandSets Controller::command_sets() {
-  if (!coordinator_) {
-    return {};
-  }
+  if (!coordinator_) return {};
   CommandSets sets = setting_.guard.step(*coordinator_, [&] {
     return coordinator_->object().command_sets(movers(), now_->with_random(coordinator_->random),
                                                command_);
@@ -293,9 +289,7 @@ const Response& Controller::run(Member& member) {
     member.trace.time_s = std::chrono::duration<double>(Clock::now() - start).count();
   }
   check(slot, slot.response);
-  for (const Event& event : slot.response.events) {
-    setting_.requests.raise(event);
-  }
+  for (const Event& event : slot.response.events) setting_.requests.raise(event);
   if (slot.response.charge) setting_.requests.ask_for_charge();
   slot.actuators.clear();
   for (Act& act : slot.response.acts) {
@@ -433,9 +427,7 @@ void Controller::list_inferences(const std::string& path, std::vector<MadeInfere
     if (!infers) return;
     std::vector<Inference> made;
     setting_.guard.look(*object.use, [&] { infers->list_inferences(made); });
-    for (Inference& each : made) {
-      list.push_back({path + object.use->id, std::move(each)});
-    }
+    for (Inference& each : made) list.push_back({path + object.use->id, std::move(each)});
   };
   if (coordinator_) add(*coordinator_);
   for (std::size_t i = 0; i < slots_.size(); ++i) {

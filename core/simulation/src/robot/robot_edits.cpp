@@ -14,9 +14,7 @@ namespace elsie::simulation {
 
 void Robot::describe(const world::Robot& next) {
   description_ = &next;
-  for (std::size_t i = 0; i < sensors_.size(); ++i) {
-    sensors_[i]->use = &next.sensors[i];
-  }
+  for (std::size_t i = 0; i < sensors_.size(); ++i) sensors_[i]->use = &next.sensors[i];
   for (std::size_t i = 0; i < actuators_.size(); ++i) {
     actuators_[i]->use = &next.actuators[i];
   }
