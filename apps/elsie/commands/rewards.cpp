@@ -47,8 +47,9 @@ void read_rewards(const simulation::Simulation& simulation, std::span<const std:
   simulation.visit_published([&](const simulation::PublishedValue& published) {
     if (published.number.name != learning::kReward || std::isnan(published.value)) return;
     const auto found = std::find(ids.begin(), ids.end(), published.path);
-    if (found != ids.end())
+    if (found != ids.end()) {
       rewards[static_cast<std::size_t>(found - ids.begin())] = published.value;
+    }
   });
 }
 
