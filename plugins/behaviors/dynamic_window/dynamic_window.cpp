@@ -76,7 +76,7 @@ class DynamicWindow final : public PlaceGoal {
     if (!best || !is_admissible(*best, clearance(*best))) {
       best = search(from, period_);
     }
-    chosen_ = best.value_or(braked(from));
+    chosen_ = best ? *best : escaping(from);
     return chosen_;
   }
 
@@ -132,6 +132,24 @@ class DynamicWindow final : public PlaceGoal {
         std::max({0.0, 1.0 - acceleration * period_ / from.forward,
                   1.0 - turn_acceleration * period_ / std::max(1e-9, std::abs(from.turn))});
     return part * from;
+  }
+
+  /// The same where it may not stop in time: towards the arc that is free farthest.
+  elsie::Motion escaping(const elsie::Motion& from) const {
+    elsie::Motion best = braked(from);
+    double farthest = clearance(best);
+    const double slowest = std::max(0.0, from.forward - acceleration * period_);
+    const double least = within(-turn_rate, from.turn, turn_acceleration * period_);
+    const double most = within(turn_rate, from.turn, turn_acceleration * period_);
+    for (int k = 0; k < turns; ++k) {
+      const elsie::Motion motion{slowest, 0.0, least + (most - least) * k / (turns - 1)};
+      const double free = clearance(motion);
+      if (free > farthest) {
+        best = motion;
+        farthest = free;
+      }
+    }
+    return best;
   }
 
   /// The best admissible pair that the accelerations reach in a time.
