@@ -1,6 +1,7 @@
 // What hands do: clicks and keys go to the window, which passes them on as those of the system.
 #pragma once
 
+#include <QLineEdit>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QTimer>
@@ -47,7 +48,7 @@ inline void turn_wheel(QWidget* widget, const QPoint& at, int eighths) {
   QApplication::sendEvent(widget, &wheel);
 }
 
-/// A field of the form of what is selected.
+/// A line of the form in Properties.
 inline QLineEdit* field(Window& window, const char* name) {
   auto* edit = qobject_cast<QLineEdit*>(window.get<Properties>("properties")->form().editor(name));
   REQUIRE(edit);

@@ -10,8 +10,6 @@
 #include "hands.h"
 #include "watch/graph_panel.h"
 #include "window.h"
-#include "world/form.h"
-#include "world/properties.h"
 
 using namespace elsie::desktop;
 
@@ -102,6 +100,7 @@ TEST_CASE("A recorded run that is played shows its graph") {
 TEST_CASE("States in states are in the tree, and have forms") {
   Room window(kTwoStates);
   window.choose(kFirst);
+  CHECK(window.get<WorldTree>("world_tree")->item(kFirst)->text(0) == "go (state)");
   CHECK(field(window, "behavior")->text() == "wander");
   window.choose(kFirst + "/transition");
   window.after([&] { enter(field(window, "after"), "2.5"); });

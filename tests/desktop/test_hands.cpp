@@ -13,8 +13,6 @@
 
 #include "engine/history.h"
 #include "hands.h"
-#include "world/form.h"
-#include "world/properties.h"
 
 using namespace elsie::desktop;
 

@@ -157,7 +157,7 @@ TEST_CASE("A graph that an edit changes is there again from then on") {
   REQUIRE(graphs.size() == 3);
   CHECK(graphs[1].time_s() == Approx(1.0));
   CHECK(graphs[2].time_s() == Approx(2.0));
-  CHECK(graphs[2].content["graphs"][0]["nodes"].size() == 8);
+  CHECK(graphs[2].content["graphs"][0]["nodes"].size() == 9);
 
   const traces::Trace trace = recording::read_trace(file.path);
   std::vector<traces::TraceGraph> read;

@@ -147,8 +147,9 @@ QString attribute(const Json& element, const char* name) {
 }
 
 QString title_of(const Json& element) {
-  const QString id = attribute(element, "id");
-  return id.isEmpty() ? name_of(element) : id;
+  const QString id = attribute(element, "id"), kind = name_of(element);
+  const QString called = kind == "world" ? QString() : attribute(element, "name");
+  return !id.isEmpty() ? id : called.isEmpty() ? kind : called;
 }
 
 QString title_at(const Json& world, const QString& path) {

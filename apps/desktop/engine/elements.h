@@ -44,7 +44,8 @@ QString name_of(const Json& element);
 const Json& attributes_of(const Json& element);
 /// The value as text; "" if the element does not have the attribute.
 QString attribute(const Json& element, const char* name);
-/// The name that the user sees: its id, or the name of the element.
+/// The name that the user sees: its id, its attribute `name`, as states have, or the name of the
+/// element.
 QString title_of(const Json& element);
 
 /// The same for the element at a path; the path itself if there is none.

@@ -25,17 +25,18 @@ constexpr int kIsList = Qt::UserRole + 1;
 QString detail_of(const Json& element) {
   QStringList parts;
   for (const auto& [name, value] : attributes_of(element).items()) {
-    if (name != "id" && parts.size() < 4) {
+    const bool is_title = name == "id" || (name == "name" && written(value) == title_of(element));
+    if (!is_title && parts.size() < 4) {
       parts << QString::fromStdString(name) + '=' + written(value);
     }
   }
   return parts.join("  ");
 }
 
-/// The title of an element: "avoid (avoid_obstacle)" if the id differs from the name.
+/// The title of an element: "avoid (avoid_obstacle)" if it differs from the name.
 QString label_of(const Json& element) {
-  const QString id = attribute(element, "id"), name = name_of(element);
-  return id.isEmpty() || id == name ? name : id + " (" + name + ')';
+  const QString title = title_of(element), name = name_of(element);
+  return title == name ? name : title + " (" + name + ')';
 }
 
 QString team_of(const Json& robot) {
