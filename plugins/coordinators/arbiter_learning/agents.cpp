@@ -25,6 +25,12 @@ Agents::Agents(const std::vector<std::string>& names, std::size_t states, std::s
 
 Agents::Agents(std::vector<NamedTable> tables) : tables_(std::move(tables)) {}
 
+std::vector<std::string> Agents::names() const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < count(); ++i) names.push_back(name(i));
+  return names;
+}
+
 void Agents::learn(const Choice& past, std::optional<std::size_t> next, double discount,
                    double rate) {
   for (std::size_t i = 0; i < count(); ++i) {

@@ -33,6 +33,7 @@ class Agents {
 
   std::size_t count() const { return tables_.size() > 1 ? tables_.size() - 1 : tables_.size(); }
   const std::string& name(std::size_t agent) const { return tables_[agent].name; }
+  std::vector<std::string> names() const;
   const elsie::learning::ValueTable& values(std::size_t agent) const {
     return tables_[agent].values;
   }

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <elsie/api/remember.h>
@@ -44,10 +46,14 @@ class ArbiterLearning final : public WinnerTakesAll,
     behaviors_.clear();
     for (const elsie::Member& member : members) behaviors_.emplace_back(member.name());
     if (lesson_) {
-      if (agents_.fit(space_.size(), behaviors_.size(), agents_.count() > 1)) return;
+      if (lesson_->about == about()) return;
       throw std::invalid_argument("its behaviours or features changed while it was learning");
     }
-    agents_ = values.path.empty() ? agents_without_file() : agents_of_file();
+    // A file that changes in a run is not read again when the robot gets another sensor.
+    if (read_ != std::pair(values.path, about())) {
+      agents_ = values.path.empty() ? agents_without_file() : agents_of_file();
+      read_ = {values.path, about()};
+    }
     resume(choice_);
   }
 
@@ -99,10 +105,12 @@ class ArbiterLearning final : public WinnerTakesAll,
     agents_ = known.tables.empty() ? Agents(several ? rewards : std::vector<std::string>{kOneAgent},
                                             space_.size(), behaviors_.size())
                                    : Agents(std::move(known.tables));
-    if (!agents_.fit(space_.size(), behaviors_.size(), several)) {
+    if (!agents_.fit(space_.size(), behaviors_.size(), several) ||
+        (several && agents_.names() != rewards)) {
       throw std::invalid_argument("what was learned before does not fit it any more");
     }
-    lesson_.emplace(Lesson{exploration, random});
+    read_.reset();
+    lesson_.emplace(Lesson{exploration, random, about()});
   }
 
   void learned(std::span<const double> rewards) override {
@@ -110,6 +118,10 @@ class ArbiterLearning final : public WinnerTakesAll,
       throw std::logic_error(
           "the coordinator that learns was made again, by an edit in the run; what it learned "
           "before is lost");
+    }
+    if (rewards.size() != rewards_.size()) {
+      throw std::logic_error("it got " + elsie::base::counted(rewards.size(), "reward") +
+                             ", but its episode began with " + std::to_string(rewards_.size()));
     }
     if (!choice_) return;
     const double factor = std::pow(discount, choice_->passed_s);
@@ -139,6 +151,7 @@ class ArbiterLearning final : public WinnerTakesAll,
   struct Lesson {
     double exploration;
     elsie::Random random;
+    std::vector<Remark> about;  // what its tables mean
   };
 
   /// What a file of values must have been learned with.
@@ -238,6 +251,7 @@ class ArbiterLearning final : public WinnerTakesAll,
   std::vector<std::string> behaviors_;
   std::vector<std::string> rewards_;
   Agents agents_;
+  std::optional<std::pair<std::string, std::vector<Remark>>> read_;  // file and about() of agents_
   std::vector<std::string> notes_;
   std::optional<Lesson> lesson_;  // none: a run
   double period_s_ = 0.0;

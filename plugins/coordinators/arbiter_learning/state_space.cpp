@@ -1,10 +1,13 @@
 #include "state_space.h"
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include <elsie/base/number_text.h>
+#include <elsie/base/words.h>
 
 namespace {
 
@@ -14,6 +17,12 @@ Expression expression_of(const Feature& feature) {
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument("<feature of=\"" + feature.of + "\">: " + error.what());
   }
+}
+
+/// With one blank in place of white space, and none around it.
+std::string on_one_line(const std::string& text) {
+  std::istringstream words(text);
+  return elsie::base::joined({std::istream_iterator<std::string>(words), {}}, " ");
 }
 
 std::size_t levels(const Feature& feature) { return feature.at.size() + 1; }
@@ -81,7 +90,7 @@ std::string StateSpace::text(std::size_t state) const {
 std::string StateSpace::description() const {
   std::string text;
   for (const Feature& feature : features_) {
-    text += (text.empty() ? "" : "; ") + feature.of + " at";
+    text += (text.empty() ? "" : "; ") + on_one_line(feature.of) + " at";
     for (const double threshold : feature.at) text += ' ' + elsie::base::number_text(threshold);
   }
   return text;

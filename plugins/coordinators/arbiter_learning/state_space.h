@@ -33,6 +33,7 @@ class StateSpace {
   /// "hungry & not near & far 2".
   std::string text(std::size_t state) const;
   /// What a file of values must have been learned with: "battery at 0.3 0.8; resource_seen at 0.5".
+  /// On one line, whatever white space the features have.
   std::string description() const;
 
  private:

@@ -28,6 +28,8 @@ std::string trimmed_after(std::string_view line, std::string_view word) {
   return std::string(line.substr(first, line.find_last_not_of(" \t") + 1 - first));
 }
 
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
 }  // namespace
 
 std::string_view remark(std::span<const Remark> about, std::string_view key) {
@@ -46,10 +48,14 @@ std::string remark_lines(std::span<const Remark> about) {
     const bool is_word = words_of(each->key).size() == 1 && words_of(each->key)[0] == each->key;
     const bool known = std::any_of(about.begin(), each,
                                    [&](const Remark& other) { return other.key == each->key; });
-    if (!is_word || known || (each->key + each->text).find_first_of("\r\n") != std::string::npos) {
+    const std::string& text = each->text;
+    const bool reads_back =
+        (each->key + text).find_first_of(std::string_view("\r\n\0", 3)) == std::string::npos &&
+        (text.empty() || (!is_blank(text.front()) && !is_blank(text.back())));
+    if (!is_word || known || !reads_back) {
       throw std::invalid_argument("'" + each->key +
                                   "' cannot be written as a remark: it must be one word that "
-                                  "occurs once, and its text one line.");
+                                  "occurs once, and its text one line without blanks around it.");
     }
     lines += "about " + each->key + (each->text.empty() ? "" : " ") + each->text + '\n';
   }
