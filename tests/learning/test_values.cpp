@@ -140,6 +140,9 @@ TEST_CASE("Values that cannot be written are not, and what was there stays") {
   CHECK_THROWS_AS(write_values({{{"two words", table}}, {}}, file), std::invalid_argument);
   CHECK_THROWS_AS(write_values({{{"t", ValueTable(3, 0)}}, {}}, file), std::invalid_argument);
   CHECK_THROWS_AS(write_values({{{"t", table}}, {{"a", "x\nend"}}}, file), std::invalid_argument);
+  for (const char* text : {" x", "x\t", " "}) {  // would be read back without blanks
+    CHECK_THROWS_AS(write_values({{{"t", table}}, {{"a", text}}}, file), std::invalid_argument);
+  }
   table.at(0, 0) = std::numeric_limits<double>::infinity();
   CHECK_THROWS_AS(write_values({{{"t", table}}, {}}, file), std::invalid_argument);
   CHECK_THROWS_AS(ValueTable(kMostValues, 2), std::invalid_argument);

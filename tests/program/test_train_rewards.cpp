@@ -194,6 +194,76 @@ TEST_CASE("What cannot be trained from rewards is refused, and nothing is writte
   CHECK(here.read("precious.xml") == "<world/>");
 }
 
+TEST_CASE("A file of values that the world already names may be missing before the training") {
+  Workplace here;
+  here.write("small.xml", small_world("values=\"later\""));
+  CHECK(here.elsie("run small.xml --quiet").exit_code == 2);
+  const auto trained = here.elsie("train small.xml --robot r1 --quiet --values later");
+  CAPTURE(trained.err);
+  CHECK(trained.exit_code == 0);
+  CHECK(here.elsie("run small.xml --quiet").exit_code == 0);
+
+  here.write("wrong.xml", small_world("values=\"never\" rat=\"1\""));
+  const auto wrong = here.elsie("train wrong.xml --robot r1 --values w");
+  CHECK(wrong.exit_code == 2);
+  CHECK_THAT(wrong.err, Catch::Contains("there is no such file") && Catch::Contains("rat"));
+}
+
+TEST_CASE("The values of another robot are not overwritten") {
+  Workplace here;
+  here.write("small.xml", small_world());
+  REQUIRE(here.elsie("train small.xml --robot r1 --quiet --values hers").exit_code == 0);
+  const std::string before = here.read("hers");
+  std::string world = small_world("values=\"hers\"");
+  const std::size_t robot = world.find("<robot id=\"r1\">");
+  const std::size_t end = world.find("<robot id=\"r2\"");
+  std::string other = world.substr(robot, end - robot);
+  other.replace(other.find("\"r1\""), 4, "\"r3\" y=\"-1.5\"");
+  here.write("two.xml", world.insert(end, other));
+  const auto refused =
+      here.elsie("train two.xml --robot r1 --quiet --episodes 3 --seed 9 --values hers");
+  CHECK(refused.exit_code == 2);
+  CHECK_THAT(refused.err,
+             Catch::Contains("--values: 'hers' is") && Catch::Contains("is read here"));
+  CHECK(here.read("hers") == before);
+}
+
+TEST_CASE("A limit of time on the clock ends no episode") {
+  Workplace here;
+  std::string world = small_world();
+  world.replace(world.find("time=\"10\""), 9, "time=\"10\" wall_time=\"1e-9\"");
+  here.write("hasty.xml", world);
+  here.write("small.xml", small_world());
+  for (const std::string name : {"hasty", "small"}) {
+    REQUIRE(here.elsie("train " + name + ".xml --robot r1 --quiet --episodes 20 --values " + name)
+                .exit_code == 0);
+  }
+  CHECK(here.read("hasty") == here.read("small"));
+}
+
+TEST_CASE("A learner whose values cannot be used is refused before the first episode") {
+  Workplace here;
+  for (const auto& [what, message] : {std::pair("nothing", "it has learned has no table of values"),
+                                      {"uneven", "its table 'b' has 3 states, but 'a' has 2"},
+                                      {"remark", "'odd' cannot be written as a remark"}}) {
+    std::string world = small_world();
+    const std::size_t begin = world.find("<arbiter_learning");
+    const std::string end = "</arbiter_learning>";
+    world.replace(begin, world.find(end) + end.size() - begin,
+                  "<odd_learner what='" + std::string(what) + "'/>");
+    here.write("odd.xml", world);
+    const auto run =
+        here.elsie("train odd.xml --robot r1 --json --progress --values w --plugin-path " +
+                   elsie::test::build_path("tests/program/plugins"));
+    CAPTURE(what, run.err);
+    CHECK(run.exit_code == 2);
+    CHECK_THAT(run.err, Catch::Contains("the coordinator 'odd_learner' of the robot 'r1': ") &&
+                            Catch::Contains(message));
+    CHECK(run.out.empty());
+    CHECK(here.read("w").empty());
+  }
+}
+
 TEST_CASE("Without values neither run nor check takes the world, and both name elsie train") {
   Workplace here;
   here.write("small.xml", small_world());

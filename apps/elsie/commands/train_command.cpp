@@ -49,6 +49,17 @@ void require_learned(const std::string& file, const char* option, const char* wh
   }
 }
 
+/// The beginning of edits of the coordinator at this place, before the world is known.
+std::string path_of(const LearnerPlace& place) {
+  std::string path = "robot[" + place.robot.value_or("1") + "]/";
+  for (std::size_t at = 0; at < place.behavior.size();) {
+    const std::size_t end = std::min(place.behavior.find('/', at), place.behavior.size());
+    path += "behavior[" + place.behavior.substr(at, end - at) + "]/";
+    at = end + 1;
+  }
+  return path + "coordinator/@";
+}
+
 /// Checks the files that will be written.
 void require_outputs(const TrainOptions& options) {
   std::vector<files::Output> outputs;
@@ -96,8 +107,8 @@ int train(const TrainOptions& options) {
     spdlog::set_level(spdlog::level::err);
   }
   const plugin::Host host = load_plugins(options.plugins);
-  const TrainingWorld world(options);
-  const world::World described = world.read(host, options.seed.value_or(1));
+  TrainingWorld world(options);
+  const world::World described = world.described(host, options.seed.value_or(1));
   const FoundCoordinator found = find_coordinator(described, options.place);
   const Lessons lessons = lessons_of(found, host);
   require_options_of(lessons, options, found.use->plugin);
@@ -111,10 +122,26 @@ TrainingWorld::TrainingWorld(const TrainOptions& options)
     : options_(options),
       text_(options.from_input ? std::string{std::istreambuf_iterator<char>(std::cin), {}} : "") {}
 
+world::World TrainingWorld::described(const plugin::Host& host, std::uint64_t seed) {
+  try {
+    return read(host, seed);
+  } catch (const world::WorldError&) {
+    for (const char* const learned : {"values", "weights"}) {
+      removal_ = {path_of(options_.place) + learned + "/@remove=true"};
+      try {
+        return read(host, seed);
+      } catch (const world::WorldError&) {  // that file is not what is wrong
+      }
+    }
+    throw;
+  }
+}
+
 world::World TrainingWorld::read(const plugin::Host& host, std::uint64_t seed,
                                  const std::vector<std::string>& edits,
                                  std::map<std::string, std::string>* found) const {
   world::ReadOptions reading = read_options(options_.edits, seed);
+  reading.edits.insert(reading.edits.end(), removal_.begin(), removal_.end());
   reading.edits.insert(reading.edits.end(), edits.begin(), edits.end());
   reading.found = found;
   return options_.from_input ? world::parse_world(text_, options_.world, host, reading)

@@ -218,10 +218,11 @@ int train_network(const TrainOptions& options, const TrainingWorld& world,
   std::map<std::string, std::string> found;
   const Learner learner =
       read_learner(options, world, find_coordinator(described, options.place), host, found);
-  if (options.curve) {  // --weights may replace the world's, which a training does not use
-    files::require_apart({{"--curve", *options.curve}},
-                         read_files(options.world, found, options.plugins));
-  }
+  // The weights that the trained coordinator had are not among these files, and may be replaced.
+  std::vector<files::Output> outputs;
+  if (options.weights) outputs.push_back({"--weights", *options.weights});
+  if (options.curve) outputs.push_back({"--curve", *options.curve});
+  files::require_apart(outputs, read_files(options.world, found, options.plugins));
 
   std::uint64_t seed = 0;
   elsie::Random random = stream_of(learner, options, seed);

@@ -43,6 +43,9 @@ class TrainingWorld {
   /// Reads standard input, if the text is there. The options must outlive this object.
   explicit TrainingWorld(const TrainOptions& options);
 
+  /// As it stands, but a file of what the coordinator has learned may be missing: the training is
+  /// about to write it. To be called first. Throws world::WorldError.
+  world::World described(const plugin::Host& host, std::uint64_t seed);
   /// With these edits after those of the user. `found` gets the files that the world names. Throws
   /// world::WorldError.
   world::World read(const plugin::Host& host, std::uint64_t seed,
@@ -52,6 +55,7 @@ class TrainingWorld {
  private:
   const TrainOptions& options_;
   std::string text_;
+  std::vector<std::string> removal_;  // of the name of a missing file
 };
 
 /// How far a training is shown while it goes on.

@@ -34,13 +34,19 @@ using simulation::Simulation;
 class EpisodeWorld {
  public:
   EpisodeWorld(const TrainOptions& options, const TrainingWorld& world,
-               std::vector<std::string> edits, const plugin::Host& host)
-      : options_(options), world_(world), edits_(std::move(edits)), host_(host) {}
+               std::vector<std::string> edits, std::string plugin, const plugin::Host& host)
+      : options_(options),
+        world_(world),
+        edits_(std::move(edits)),
+        plugin_(std::move(plugin)),
+        host_(host) {}
 
   /// At time zero. A world with layouts is drawn again.
   Simulation& begin(std::uint64_t seed) {
     if (!simulation_ || simulation_->world().drawn) {
-      simulation_.emplace(world_.read(host_, seed, edits_), host_,
+      world::World world = world_.read(host_, seed, edits_);
+      world.limits.wall_time.reset();  // or what is learned would depend on the clock
+      simulation_.emplace(std::move(world), host_,
                           simulation::Options{.seed = seed,
                                               .data_directories = data_directories(),
                                               .cameras = render::world_cameras,
@@ -49,19 +55,27 @@ class EpisodeWorld {
     simulation_->reset(seed);
     return *simulation_;
   }
-  /// Throws std::logic_error when an edit of the world put another coordinator in its place.
-  learning::RewardLearner& learner() {
+  /// Lets `call` use the learner. What that refuses, also when an edit of the world put another
+  /// coordinator in its place, becomes BadInput.
+  template <class Call>
+  void ask(const Call& call) {
     const FoundCoordinator place = find_coordinator(simulation_->world(), options_.place);
     auto* const learner =
         dynamic_cast<learning::RewardLearner*>(&simulation_->object(place.robot, *place.use));
-    if (!learner) throw std::logic_error("an edit in the run put another one in its place");
-    return *learner;
+    try {
+      if (!learner) throw std::logic_error("an edit in the run put another one in its place");
+      call(*learner);
+    } catch (const std::logic_error& problem) {
+      throw BadInput("the coordinator '" + plugin_ + "' of the " + place.owner + ": " +
+                     problem.what());
+    }
   }
 
  private:
   const TrainOptions& options_;
   const TrainingWorld& world_;
   std::vector<std::string> edits_;
+  std::string plugin_;  // that learns
   const plugin::Host& host_;
   std::optional<Simulation> simulation_;
 };
@@ -97,6 +111,32 @@ struct RewardTraining {
   std::size_t tenth() const { return std::max<std::size_t>(1, episodes.size() / 10); }
 };
 
+/// Throws std::logic_error when values of a plugin cannot be used here.
+void require_tables(const learning::Values& values) {
+  if (values.tables.empty()) {
+    throw std::logic_error("what it has learned has no table of values; expected at least one");
+  }
+  for (const learning::NamedTable& table : values.tables) {
+    if (table.values.states() == values.tables.front().values.states()) continue;
+    throw std::logic_error("its table '" + table.name + "' has " +
+                           base::counted(table.values.states(), "state") + ", but '" +
+                           values.tables.front().name + "' has " +
+                           std::to_string(values.tables.front().values.states()) +
+                           "; expected the same states in all tables");
+  }
+}
+
+/// Fails before the first episode when nothing could be written after the last one.
+void rehearse(EpisodeWorld& world, const RewardTraining& training) {
+  world.begin(training.seed);
+  world.ask([&](learning::RewardLearner& learner) {
+    learner.begin(training.rewards, {}, 0.0, Random(training.seed));
+    const learning::Values values = learner.finish(learning::Ending::cut_off);
+    require_tables(values);
+    learning::values_text(values);
+  });
+}
+
 /// Runs the next episode, in which the coordinator learns.
 Episode run_episode(EpisodeWorld& world, RewardTraining& training,
                     std::span<simulation::Observer* const> observers, const std::string& path) {
@@ -105,14 +145,16 @@ Episode run_episode(EpisodeWorld& world, RewardTraining& training,
   Episode episode;
   episode.rewards.assign(training.rewards.size(), 0.0);
   std::vector<double> rewards(training.rewards.size());
-  world.learner().begin(training.rewards, std::move(training.values), training.exploration(),
-                        Random(seed, path + "/explore"));
+  world.ask([&](learning::RewardLearner& learner) {
+    learner.begin(training.rewards, std::move(training.values), training.exploration(),
+                  Random(seed, path + "/explore"));
+  });
   bool has_decided = false;
   const auto reward = [&] {
     if (!has_decided) return;
     read_rewards(simulation, training.rewards, rewards);
     for (std::size_t i = 0; i < rewards.size(); ++i) episode.rewards[i] += rewards[i];
-    world.learner().learned(rewards);
+    world.ask([&](learning::RewardLearner& learner) { learner.learned(rewards); });
   };
   simulation.run(observers, {}, [&](Simulation&) {
     reward();
@@ -121,8 +163,12 @@ Episode run_episode(EpisodeWorld& world, RewardTraining& training,
   reward();  // of the last period, which a goal may have cut short
   episode.outcome = simulation.outcome();
   episode.time_s = simulation.time_s();
-  training.values = world.learner().finish(
-      episode.outcome == Outcome::time_limit ? learning::Ending::cut_off : learning::Ending::goal);
+  world.ask([&](learning::RewardLearner& learner) {
+    training.values =
+        learner.finish(episode.outcome == Outcome::time_limit ? learning::Ending::cut_off
+                                                              : learning::Ending::goal);
+    require_tables(training.values);
+  });
   return episode;
 }
 
@@ -241,6 +287,18 @@ void draw_training(const RewardTraining& training, const std::string& file) {
   draw_rewards(rewards, training.tenth(), training_header(training), lines, file);
 }
 
+/// Refuses to overwrite a file that the world still names in a training: another robot's.
+void require_apart_from_world(const TrainOptions& options, const TrainingWorld& world,
+                              const std::vector<std::string>& edits, const plugin::Host& host) {
+  std::vector<files::Output> outputs;
+  if (options.values) outputs.push_back({"--values", *options.values});
+  if (options.curve) outputs.push_back({"--curve", *options.curve});
+  if (outputs.empty()) return;
+  std::map<std::string, std::string> found;
+  world.read(host, options.seed.value_or(1), edits, &found);
+  files::require_apart(outputs, read_files(options.world, found, options.plugins));
+}
+
 /// The training without its episodes. Throws BadInput when the robot has no reward.
 RewardTraining planned_training(const TrainOptions& options, const world::World& world,
                                 const FoundCoordinator& place, const plugin::Host& host) {
@@ -267,18 +325,14 @@ int train_from_rewards(const TrainOptions& options, const TrainingWorld& world,
   const FoundCoordinator place = find_coordinator(described, options.place);
   RewardTraining training = planned_training(options, described, place, host);
   const std::vector<std::string> edits = learner_edits(place, "values", {{"untrained", "true"}});
-  if (options.curve) {
-    std::map<std::string, std::string> found;
-    world.read(host, training.seed, edits, &found);
-    files::require_apart({{"--curve", *options.curve}},
-                         read_files(options.world, found, options.plugins));
-  }
-  EpisodeWorld episodes(options, world, edits, host);
+  require_apart_from_world(options, world, edits, host);
+  EpisodeWorld episodes(options, world, edits, training.plugin, host);
   const auto start = std::chrono::steady_clock::now();
   InterruptGuard interrupt;
   simulation::Observer* const observers[] = {&interrupt};
   EpisodeWatcher watcher(shown(options));
   try {
+    rehearse(episodes, training);
     while (training.episodes.size() < training.planned) {
       training.episodes.push_back(run_episode(episodes, training, observers, place.path));
       watcher.show(training);
@@ -289,9 +343,6 @@ int train_from_rewards(const TrainOptions& options, const TrainingWorld& world,
     return kOtherFailure;
   } catch (const simulation::EditRefused& refused) {
     throw BadInput(refused.report());
-  } catch (const std::logic_error& problem) {
-    throw BadInput("the coordinator '" + training.plugin + "' of the robot '" + training.robot +
-                   "': " + problem.what());
   }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   training.values.about.push_back({"training", base::counted(training.planned, "episode") +

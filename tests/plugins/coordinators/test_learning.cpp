@@ -377,9 +377,53 @@ TEST_CASE("Inside a blend it hands the wishes of who decides outwards") {
   CHECK(robot.rate({Motion{}}) == std::vector<double>{0.25});
 }
 
+TEST_CASE("In an episode its behaviours stay the same, in a run they may change") {
+  Robot robot;
+  const auto equip_with = [&](const char* second) {
+    Team other;
+    other.member("a", 1, Motion{}).member(second, 1, Motion{});
+    (*robot.robot)->equipped(other.members(), robot.situation.perception());
+  };
+  robot.learner().begin({"r"}, {}, 0.0, Random(1));
+  CHECK_THROWS_WITH(equip_with("c"),
+                    Equals("its behaviours or features changed while it was learning"));
+  CHECK_NOTHROW(equip_with("b"));
+  robot.learner().finish(Ending::goal);
+  CHECK_NOTHROW(equip_with("c"));
+}
+
+TEST_CASE("In a run the file is read again only for other behaviours") {
+  const Folder folder;
+  Robot robot({{"values", written(folder, some_values())}});
+  Values others = some_values();
+  others.tables[0].values.at(0, 0) = 9.0;
+  written(folder, others);
+  robot.robot->equip(robot.situation);  // as with another sensor
+  CHECK(robot.at(0, 0) == 1);
+  CHECK(robot.team.reason(0) == "value 1");
+  Team other;
+  other.member("a", 1, Motion{}).member("c", 1, Motion{});
+  CHECK_THROWS_WITH((*robot.robot)->equipped(other.members(), robot.situation.perception()),
+                    Contains("it was learned with the behaviors 'a b', but here it is 'a c'"));
+}
+
+TEST_CASE("White space in a feature does not count") {
+  const Folder folder;
+  Robot robot({{"untrained", true}}, {feature(" x\n+  0\t"), feature("y")});
+  robot.learner().begin({"r"}, {}, 0.0, Random(1));
+  const Values values = robot.learner().finish(Ending::goal);
+  CHECK(values.remark("features") == "x + 0 at 0.5; y at 0.5");
+  const Parameters learned{{"values", written(folder, values)}};
+  CHECK(refusal(learned, {feature(" x\n+  0\t"), feature("y")}).empty());
+  CHECK(refusal(learned, {feature("x + 0"), feature(" y")}).empty());
+}
+
 TEST_CASE("Without behaviours nobody decides") {
   Robot robot({{"untrained", true}}, {feature("x")}, 0);
-  CHECK(robot.at(0, 0) == 0);
+  CHECK(robot.robot->decide() == Motion{});
+  for (const auto& number : robot.robot->declaration().published) {
+    CHECK(std::isnan(number.get(**robot.robot)));
+  }
   CHECK_THROWS_WITH(robot.learner().begin({"r"}, {}, 0.0, Random(1)),
                     Contains("it has no behaviours to choose from"));
 }
@@ -425,6 +469,15 @@ TEST_CASE("What it cannot learn, or decide by, is refused in words") {
                     Contains("with method=\"w\" rewards compete; its robot has one"));
   CHECK_THROWS_WITH(robot.learner().learned(std::vector<double>{1.0}),
                     Contains("was made again, by an edit in the run"));
+  robot.learner().begin({"r", "s"}, {}, 0.0, Random(1));
+  CHECK_THROWS_WITH(robot.learner().learned(std::vector<double>{1.0, 2.0, 3.0}),
+                    Equals("it got 3 rewards, but its episode began with 2"));
+  const Values of_two = robot.learner().finish(Ending::goal);
+  for (const std::vector<std::string>& rewards :
+       {std::vector<std::string>{"r", "s", "t"}, {"s", "r"}}) {
+    CHECK_THROWS_WITH(robot.learner().begin(rewards, of_two, 0.0, Random(1)),
+                      Contains("what was learned before does not fit it any more"));
+  }
 }
 
 }  // namespace of_learning

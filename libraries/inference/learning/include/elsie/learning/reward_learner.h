@@ -53,7 +53,8 @@ class RewardLearner {
   /// std::logic_error without begin(): the object is not the one that began the episode.
   virtual void learned(std::span<const double> rewards) = 0;
 
-  /// The episode is over. Returns all that it has learned so far.
+  /// The episode is over. Returns all that it has learned so far, also when nothing happened since
+  /// begin(): at least one table, all with the same states, and remarks that can be written.
   virtual Values finish(Ending ending) = 0;
 };
 

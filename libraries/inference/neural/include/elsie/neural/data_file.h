@@ -35,7 +35,7 @@ struct DataFileKind {
 /// The first line of a file of this kind.
 std::string first_line(const DataFileKind& kind);
 /// A line for each remark. Throws std::invalid_argument for one whose key is no word or repeated,
-/// or whose text has several lines.
+/// or whose text has several lines, or blanks around it, which would not be read back.
 std::string remark_lines(std::span<const Remark> about);
 
 /// Whether the file begins like one of this kind.
