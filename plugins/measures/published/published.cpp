@@ -11,6 +11,7 @@
 #include <elsie/base/near_name.h>
 
 #include "chosen_robots.h"
+#include "published_places.h"
 
 namespace {
 
@@ -80,11 +81,17 @@ class Published final : public elsie::Measure, public ChosenRobots {
     choose(start);
     places_.clear();
     std::vector<std::string> there;
-    for (const std::size_t i : chosen()) find(start.robots[i].published, i, there);
-    if (places_.empty() && robot.empty() && team.empty()) find(start.published, kWorld, there);
+    const auto find_in = [&](std::size_t place) {
+      const auto name_of = [&](const elsie::ObservedNumber& each) {
+        if (each.name == number) unit_ = each.unit;
+        return std::string(each.name);
+      };
+      find_published(start, place, number, name_of, places_, there);
+    };
+    for (const std::size_t i : chosen()) find_in(i);
+    if (places_.empty() && robot.empty() && team.empty()) find_in(PublishedPlace::kWorld);
     if (places_.empty()) {
       std::sort(there.begin(), there.end());
-      there.erase(std::unique(there.begin(), there.end()), there.end());
       throw std::invalid_argument(
           "no plugin of " +
           std::string(robot.empty() && team.empty() ? "the world" : "these robots") +
@@ -108,10 +115,8 @@ class Published final : public elsie::Measure, public ChosenRobots {
   }
   void observe(const elsie::Observation& now) override {
     double sum = 0.0, count = 0.0;
-    for (const Place& place : places_) {
-      const elsie::ObservedNumbers* const numbers =
-          place.robot == kWorld ? now.numbers : now.robots[place.robot].numbers;
-      const double value = numbers->now()[place.number];
+    for (const PublishedPlace& place : places_) {
+      const double value = place.value(now);
       if (std::isnan(value)) continue;
       sum += value;
       count += 1.0;
@@ -139,26 +144,7 @@ class Published final : public elsie::Measure, public ChosenRobots {
   }
 
  private:
-  static constexpr auto kWorld = std::numeric_limits<std::size_t>::max();  // no robot
-  struct Place {
-    std::size_t robot;
-    std::size_t number;
-  };
-
-  /// Adds the place of the number, if it is among these, and the names of the others.
-  void find(std::span<const elsie::ObservedNumber> published, std::size_t robot_index,
-            std::vector<std::string>& others) {
-    for (std::size_t k = 0; k < published.size(); ++k) {
-      if (published[k].name == number) {
-        places_.push_back({robot_index, k});
-        unit_ = published[k].unit;
-      } else {
-        others.emplace_back(published[k].name);
-      }
-    }
-  }
-
-  std::vector<Place> places_;
+  std::vector<PublishedPlace> places_;
   std::string unit_;
   double sum_ = 0.0, count_ = 0.0;
   double least_ = 0.0, greatest_ = 0.0, last_ = 0.0;

@@ -1,7 +1,5 @@
 // The reward of robots that learn: how much a formula over running totals grew in each control
-// period. So a potential that shapes the reward (Ng, Harada and Russell, "Policy invariance under
-// reward transformations", ICML 1999) is a term like any other. elsie/learning/reward_learner.h
-// says how a number named "reward" becomes a reward.
+// period. elsie/learning/reward_learner.h says how a number named "reward" becomes a reward.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,9 +10,11 @@
 #include <vector>
 
 #include <elsie/base/near_name.h>
+#include <elsie/base/words.h>
 #include <elsie/formula/formula.h>
 
 #include "chosen_robots.h"
+#include "published_places.h"
 
 namespace {
 
@@ -56,7 +56,7 @@ class Reward final : public elsie::Measure, public ChosenRobots {
   void reset(elsie::Random&) override {
     for (Source& source : sources_) {
       source.count = 0.0;
-      for (Place& place : source.places) place.last = kNone;
+      std::fill(source.last.begin(), source.last.end(), kNone);
     }
     first_.reset();
     now_ = begun_ = time_s_ = 0.0;
@@ -81,55 +81,65 @@ class Reward final : public elsie::Measure, public ChosenRobots {
   double reward() const { return now_ - begun_; }
 
  private:
-  static constexpr auto kWorld = std::numeric_limits<std::size_t>::max();  // no robot
-  struct Place {
-    std::size_t robot;
-    std::size_t number;  // that it publishes
-    double last;
-  };
   /// What a name stands for; the time if for none of these.
   struct Source {
     double (*of_robot)(const elsie::ObservedRobot&) = nullptr;
     std::string event;
-    double count = 0.0;         // how often the event was raised
-    std::vector<Place> places;  // of the published number
+    double count = 0.0;                  // how often the event was raised
+    std::vector<PublishedPlace> places;  // of the published number
+    std::vector<double> last;            // there
   };
 
   Source find(const elsie::formula::Formula::Name& name, const elsie::Observation& start) const {
     if (name.text == kTime) return {};
     if (name.text.starts_with(kEvent) && name.text != kEvent) {
-      return {nullptr, name.text.substr(kEvent.size()), 0.0, {}};
+      return {nullptr, name.text.substr(kEvent.size()), 0.0, {}, {}};
     }
     std::vector<std::string> known{std::string(kTime)};
     for (const Tally& tally : kTallies) {
-      if (name.text == tally.name) return {tally.of, "", 0.0, {}};
+      if (name.text == tally.name) return {tally.of, "", 0.0, {}, {}};
       known.emplace_back(tally.name);
     }
     known.push_back(std::string(kEvent) + "NAME");
     Source found;
     for (const std::size_t i : chosen()) {
-      add_places(name.text, start.robots[i].published, i, found, known);
+      find_published(start, i, name.text, path_of, found.places, known);
     }
-    if (found.places.empty()) add_places(name.text, start.published, kWorld, found, known);
+    if (found.places.empty()) {
+      // A reward is no total.
+      const auto no_reward = [](const elsie::ObservedNumber& number) {
+        std::string path = path_of(number);
+        return path.substr(path.rfind('.') + 1) == kReward ? "" : path;
+      };
+      find_published(start, PublishedPlace::kWorld, name.text, no_reward, found.places, known);
+    }
+    found.last.assign(found.places.size(), kNone);
     if (!found.places.empty()) return found;
-    throw std::invalid_argument("of=\"" + of + "\", column " + std::to_string(name.column) +
-                                ": there is no total '" + name.text + "'" +
-                                elsie::base::near_or_all(name.text, known, "there are"));
+    const auto others = std::stable_partition(known.begin(), known.end(), is_name);
+    const std::vector<std::string> unnamed(others, known.end());
+    known.erase(others, known.end());
+    throw std::invalid_argument(
+        "of=\"" + of + "\", column " + std::to_string(name.column) + ": there is no total '" +
+        name.text + "'" + elsie::base::near_or_all(name.text, known, "there are") +
+        (unnamed.empty() ? ""
+                         : "; a formula cannot name " + elsie::base::enumerated(unnamed) +
+                               ": give ids of letters, digits and \"_\" there"));
   }
 
-  /// Adds the place of a number, if it is among these, and else their names. In a formula "/" is a
-  /// division, so that paths have "." in its place. A reward is no total.
-  static void add_places(const std::string& name, std::span<const elsie::ObservedNumber> published,
-                         std::size_t robot_index, Source& found, std::vector<std::string>& known) {
-    for (std::size_t k = 0; k < published.size(); ++k) {
-      std::string path(published[k].name);
-      std::replace(path.begin(), path.end(), '/', '.');
-      if (robot_index == kWorld && path.substr(path.rfind('.') + 1) == kReward) continue;
-      if (path == name) {
-        found.places.push_back({robot_index, k, kNone});
-      } else if (std::find(known.begin(), known.end(), path) == known.end()) {
-        known.push_back(std::move(path));
-      }
+  /// In a formula "/" is a division, so that paths have "." in its place.
+  static std::string path_of(const elsie::ObservedNumber& number) {
+    std::string path(number.name);
+    std::replace(path.begin(), path.end(), '/', '.');
+    return path;
+  }
+
+  /// Whether a formula can name it: "home-base.away" is a difference.
+  static bool is_name(const std::string& path) {
+    try {
+      const elsie::formula::Formula formula(path);
+      return formula.names().size() == 1 && formula.names()[0].text == path;
+    } catch (const std::invalid_argument&) {
+      return false;
     }
   }
 
@@ -151,13 +161,12 @@ class Reward final : public elsie::Measure, public ChosenRobots {
     }
     if (source.places.empty()) return now.time_s;
     bool is_there = false;
-    for (Place& place : source.places) {
-      const auto* const numbers =
-          place.robot == kWorld ? now.numbers : now.robots[place.robot].numbers;
-      const double value = numbers->now()[place.number];
-      if (!std::isnan(value)) place.last = value;
-      if (std::isnan(place.last)) continue;
-      sum += place.last;
+    for (std::size_t i = 0; i < source.places.size(); ++i) {
+      const double value = source.places[i].value(now);
+      double& last = source.last[i];
+      if (!std::isnan(value)) last = value;
+      if (std::isnan(last)) continue;
+      sum += last;
       is_there = true;
     }
     return is_there ? sum : kNone;

@@ -109,6 +109,29 @@ TEST_CASE("Published numbers count, of robots and of the world, and keep their l
   CHECK_FALSE(reward.value("total"));
 }
 
+TEST_CASE("A number whose id no formula can name is refused with what to do") {
+  Scene now;
+  now.robot("r1").publishes("home-base.away").publishes("nest.away");
+  CHECK(refusal(Measure("reward", {{"of", "home-base.away"}}), now) ==
+        "of=\"home-base.away\", column 1: there is no total 'home'; there are: time, collected, "
+        "collisions, distance, energy_used, energy, event.NAME, nest.away; a formula cannot name "
+        "home-base.away: give ids of letters, digits and \"_\" there");
+}
+
+TEST_CASE("What is in the battery is a potential that is always known") {
+  Scene now;
+  now.robot("r1");
+  now["r1"].energy = 50.0;
+  Measure shaped("reward", {{"of", "collected + 0.1 * energy"}});
+  shaped.observe(now);
+  for (const double energy : {40.0, 30.0, 60.0}) {
+    now["r1"].energy = energy;
+    shaped.observe(now.step());
+  }
+  CHECK(reward_of(shaped) == Approx(3.0));
+  CHECK(*shaped.value("total") == Approx(1.0));
+}
+
 TEST_CASE("A potential adds up to what it is at the end, whatever the way") {
   Scene now;
   now.robot("r1").publishes("home.away");
