@@ -72,14 +72,12 @@ void MainWindow::connect_workbench() {
   });
   connect(&workbench_, &Workbench::problems_changed, this, &MainWindow::show_problems);
   connect(&workbench_, &Workbench::state, this, [this](const Json& state) {
-    if (seen_.contains(docks_.coordination)) {
-      coordination_->add(state);
-      request_past();
-    }
+    if (seen_.contains(docks_.coordination)) coordination_->add(state);
     if (seen_.contains(docks_.vision)) vision_->add(state);
     if (seen_.contains(docks_.fuzzy)) fuzzy_->add(state);
     if (seen_.contains(docks_.sensors)) sensors_->add(state);
     if (seen_.contains(docks_.graph)) graph_->add(state);
+    if (seen_.contains(docks_.coordination) || seen_.contains(docks_.graph)) request_past();
     for (WorldTree* each : findChildren<WorldTree*>()) {
       if (each->isVisible()) each->show_weights(state);
     }

@@ -62,6 +62,10 @@ TEST_CASE("The graph of the selected robot is lit while the world runs, and back
   CHECK(wait_for([&] { return graph->running() == QStringList{"work", "rest"}; }));
   window.get<TimeLine>("time_line")->go_to(0.5);
   CHECK(wait_for([&] { return graph->running() == QStringList{"work", "go"}; }));
+  window.choose("robot[r3]");
+  CHECK(wait_for([&] { return graph->notice().contains("r3 shows no graph"); }));
+  window.choose("robot[r1]");
+  CHECK(wait_for([&] { return graph->running() == QStringList{"work", "go"}; }));
   window.get<TimeLine>("time_line")->go_to_now();
   CHECK(wait_for([&] { return graph->running() == QStringList{"work", "rest"}; }));
 

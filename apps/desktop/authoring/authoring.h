@@ -116,7 +116,8 @@ class Authoring : public QObject {
   const Stage& stage_;  // where the bodies are now
   QWidget* window_;
   QStringList selection_;
-  Outline outline_;  // of the world
+  QStringList copied_;  // paths of what was copied or duplicated last
+  Outline outline_;     // of the world
 };
 
 }  // namespace elsie::desktop

@@ -73,6 +73,7 @@ void Authoring::copy_selected() {
   auto* held = new QMimeData;
   held->setText(text);
   held->setData(kMime, text.toUtf8());
+  copied_ = selection_;
   QApplication::clipboard()->setMimeData(held);
 }
 
@@ -86,7 +87,10 @@ void Authoring::paste() {
   insert(held->hasFormat(kMime) ? QString::fromUtf8(held->data(kMime)) : held->text(), tr("paste"));
 }
 
-void Authoring::duplicate_selected() { insert(markup_of_selected(), tr("duplicate")); }
+void Authoring::duplicate_selected() {
+  copied_ = selection_;
+  insert(markup_of_selected(), tr("duplicate"));
+}
 
 // The list for a piece that does not name its list.
 QString Authoring::list_for(const QString& name) const {
@@ -108,7 +112,7 @@ std::optional<QString> Authoring::holder_of_part(const Piece& piece) const {
   QString path = selection_.value(0);
   const bool is_here = std::any_of(selection_.begin(), selection_.end(), [&](const QString& each) {
     const ElementPlace place = place_of(workbench_.tree(), each);
-    return place.element && markup_of(*place.element) == piece.markup;
+    return copied_.contains(each) && place.element && markup_of(*place.element) == piece.markup;
   });
   if (is_here) path = holder_of(path);
   for (; !path.isEmpty(); path = holder_of(path)) {

@@ -198,10 +198,10 @@ GraphPanel::GraphPanel(QWidget* parent) : QScrollArea(parent), page_(new Page) {
 GraphPanel::~GraphPanel() = default;
 
 void GraphPanel::set_robot(const QString& id) {
-  if (id != page_->robot) {
-    page_->robot = id;
-    clear();
-  }
+  if (id == page_->robot) return;
+  page_->robot = id;
+  page_->forget();
+  page_->fit(maximumViewportSize());
 }
 
 void GraphPanel::clear() {
