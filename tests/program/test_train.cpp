@@ -43,6 +43,25 @@ TEST_CASE("train writes weights with which a run trains nothing and does the sam
   CHECK(own.at("state_hash") == loaded.at("state_hash"));
 }
 
+TEST_CASE("Weights that the world names may be missing, and those of another robot are kept") {
+  Workplace here;
+  const std::string train =
+      "train " + kLearners +
+      " --robot r1 --quiet --weights w --set robot[r1]/coordinator/@weights=w";
+  const auto first = here.elsie(train);
+  CAPTURE(first.err);
+  REQUIRE(first.exit_code == 0);
+  const std::string before = here.read("w");
+  const auto refused = here.elsie(train +
+                                  " --seed 3 --set 'robot[+]=<robot id=\"r2\" y=\"2\">"
+                                  "<sensors><beam_range/></sensors><behaviors><wander/>"
+                                  "</behaviors><coordinator><fusion_neural_network "
+                                  "weights=\"w\"/></coordinator></robot>'");
+  CHECK(refused.exit_code == 2);
+  CHECK_THAT(refused.err, Catch::Contains("--weights: 'w' is") && Catch::Contains("is read here"));
+  CHECK(here.read("w") == before);
+}
+
 TEST_CASE("train --json has the largest seed as a number, digit by digit") {
   const Workplace here;
   const auto run =
