@@ -175,3 +175,33 @@ TEST_CASE("A part of a graph is drawn for a screen, in its colours") {
   const auto outside = picture::screen_graphs(layout, kCarries, {-50, -50}, 2, 2, 1.0, dark);
   CHECK((outside[0] & 0xffffffU) == 0U);
 }
+
+TEST_CASE("A graph of too many nodes is refused, before Graphviz takes minutes for it") {
+  NamedGraph ring{"arbiter_states", {}};
+  constexpr std::size_t kStates = picture::kMostGraphNodes + 1;
+  for (std::size_t i = 0; i < kStates; ++i) {
+    ring.graph.nodes.push_back({"s"});
+    ring.graph.edges.push_back({i, (i + 1) % kStates, "next"});
+  }
+  CHECK_THROWS_WITH(picture::lay_out({ring}),
+                    Contains("401 nodes") && Contains("at most 400") && Contains("elsie explain"));
+  ring.graph.nodes.resize(200);
+  ring.graph.edges.clear();
+  CHECK_NOTHROW(picture::require_drawable({ring, ring}));
+  ring.graph.nodes.push_back({"one more"});
+  CHECK_THROWS_AS(picture::require_drawable({ring, ring}), base::Error);
+}
+
+TEST_CASE("A PNG whose texts could not be read is refused; an SVG is as wide as it must be") {
+  NamedGraph flat{"arbiter_tree", {{{"parallel"}}, {}}};
+  for (std::size_t i = 1; i <= 300; ++i) {
+    flat.graph.nodes.push_back({"a behaviour"});
+    flat.graph.edges.push_back({0, i});
+  }
+  const GraphLayout layout = picture::lay_out({flat});
+  REQUIRE(layout.width > 16000.0);
+  const GraphLights lights{std::vector<NodeState>(301)};
+  CHECK_THROWS_WITH(picture::draw_graphs(layout, lights, "", "png"),
+                    Contains("at most 16000") && Contains(".svg"));
+  CHECK_THAT(picture::draw_graphs(layout, lights, "", "svg"), Contains("a behaviour"));
+}

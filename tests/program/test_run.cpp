@@ -85,6 +85,25 @@ TEST_CASE("--graph draws what coordinators are made of, as it is at the end") {
   CHECK_FALSE(std::filesystem::exists(here.file("a.svg")));
 }
 
+TEST_CASE("--graph refuses an automaton of too many states before the run") {
+  Workplace here;
+  std::string states;
+  for (int i = 0; i < 401; ++i) {
+    states += "<state name='s" + std::to_string(i) + "'><transition to='s" +
+              std::to_string((i + 1) % 401) + "' after='1'/></state>";
+  }
+  here.write("ring.xml",
+             "<world format='1'><arena length='4' width='4'/><robots><robot id='r' x='0' "
+             "y='0'><behaviors><wander/></behaviors><coordinator><arbiter_states>" +
+                 states +
+                 "</arbiter_states></coordinator></robot></robots>"
+                 "<limits time='1'/></world>");
+  const auto run = here.elsie("run ring.xml --graph ring.svg");
+  CHECK(run.exit_code == 2);
+  CHECK(run.out.empty());
+  CHECK_THAT(run.err, Catch::Contains("401 nodes") && Catch::Contains("at most 400"));
+}
+
 TEST_CASE("--set changes any attribute by its path") {
   Workplace here;
   const auto distance = [&](const std::string& options) {

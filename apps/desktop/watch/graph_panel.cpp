@@ -16,8 +16,7 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr std::size_t kMostNodes = 500;  // more take Graphviz too long
-constexpr double kLeast = 0.6;           // of the size in which texts have the window's
+constexpr double kLeast = 0.6;  // of the size in which texts have the window's
 
 QString words_of(NodeState state) {
   switch (state) {
@@ -162,12 +161,9 @@ class GraphPanel::Page : public QWidget, public ShowsFigures {
     std::size_t count = 0;
     for (const picture::NamedGraph& each : graphs_) count += each.graph.nodes.size();
     if (count == 0) return;
-    if (count > kMostNodes) {
-      problem_ =
-          tr("%1 nodes are too many to be laid out here; elsie run WORLD --graph %2=FILE.svg "
-             "draws them")
-              .arg(count)
-              .arg(robot);
+    if (count > picture::kMostGraphNodes) {
+      problem_ = tr("%1 nodes are too many to be drawn; of a recording, elsie explain lists them")
+                     .arg(count);
       return;
     }
     try {

@@ -66,7 +66,7 @@ class Views final : public RunViews {
     if (options_.record.images) {
       require_cameras(simulation, "--record-images");
     }
-    if (graph_) find_graph(simulation);
+    if (graph_) picture::require_drawable(graphs_of(simulation, find_graph(simulation)).first);
     options_.paths.check(simulation.world());
     const RecordOptions& record = options_.record;
     require_robots(simulation.world(), record.robots, "--record-robots");
@@ -120,15 +120,20 @@ class Views final : public RunViews {
                    kWhoHasGraphs);
   }
 
+  static std::pair<std::vector<picture::NamedGraph>, picture::GraphLights> graphs_of(
+      const simulation::Simulation& simulation, std::size_t robot) {
+    std::pair<std::vector<picture::NamedGraph>, picture::GraphLights> all;
+    for (simulation::LitGraph& lit : simulation.graphs(robot)) {
+      all.first.push_back({std::move(lit.path), std::move(lit.graph)});
+      all.second.push_back(std::move(lit.lights));
+    }
+    return all;
+  }
+
   void draw_graph(const simulation::Simulation& simulation, const std::string& line) const {
     // An edit may have removed the robot, or its coordinator.
     const std::size_t robot = find_graph(simulation);
-    std::vector<picture::NamedGraph> graphs;
-    picture::GraphLights lights;
-    for (simulation::LitGraph& lit : simulation.graphs(robot)) {
-      graphs.push_back({std::move(lit.path), std::move(lit.graph)});
-      lights.push_back(std::move(lit.lights));
-    }
+    const auto [graphs, lights] = graphs_of(simulation, robot);
     graph_->save(graphs, lights, simulation.robot(robot).description->id, line);
   }
 

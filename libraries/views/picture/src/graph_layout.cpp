@@ -184,7 +184,19 @@ void set_defaults(Agraph_t* page) {
 
 }  // namespace
 
+void require_drawable(const std::vector<NamedGraph>& graphs) {
+  std::size_t nodes = 0;
+  for (const NamedGraph& each : graphs) nodes += each.graph.nodes.size();
+  if (nodes > kMostGraphNodes) {
+    throw base::Error("the graph has " + std::to_string(nodes) + " nodes, and at most " +
+                          std::to_string(kMostGraphNodes) +
+                          " are drawn; `elsie explain` lists those of a recorded run",
+                      base::kBadInput);
+  }
+}
+
 GraphLayout lay_out(const std::vector<NamedGraph>& graphs) {
+  require_drawable(graphs);
   // One for the life of the process: Graphviz' plugin for texts keeps names of fonts that belong to
   // the first one, and reads them again after that is freed (seen in 2.43).
   static GVC_t* const context = gvContext();

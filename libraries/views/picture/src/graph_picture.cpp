@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "elsie/base/error.h"
+#include "elsie/base/number_text.h"
 
 #include "canvas.h"
 #include "graph_inks.h"
@@ -114,7 +115,15 @@ std::string draw_graphs(const GraphLayout& layout, const GraphLights& lights,
   const double across = std::max(layout.width, ruler.text_width(title, style));
   const double width = across + 2 * kMargin;
   const double height = layout.height + 3 * kMargin + kTitle;
-  const double zoom = std::min(is_png ? 2.0 : 1.25, kMostPixels / std::max(width, height));
+  const double most = kMostPixels / std::max(width, height);
+  if (is_png && most < 1.0) {
+    throw base::Error("the graph is " + base::number_text(std::ceil(width)) + " by " +
+                          base::number_text(std::ceil(height)) +
+                          " pixels large, and a PNG has at most " + base::number_text(kMostPixels) +
+                          " on a side if its texts can be read; write it as .svg",
+                      base::kBadInput);
+  }
+  const double zoom = is_png ? std::min(2.0, most) : 1.25;
   Canvas canvas(is_png ? FileType::png : FileType::svg, static_cast<int>(std::ceil(width * zoom)),
                 static_cast<int>(std::ceil(height * zoom)), zoom);
   canvas.text(title, {kMargin, kMargin}, style);

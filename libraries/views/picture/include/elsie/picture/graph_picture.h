@@ -50,12 +50,19 @@ struct GraphLayout {
   double width = 0.0, height = 0.0;
 };
 
-/// Graphviz lays the graphs out: each in a frame with its path, if there are several. Takes
-/// about a second for a thousand nodes. Throws base::Error when Graphviz fails.
+/// Graphviz' time grows with the square of the nodes (6 minutes for a ring of 5000), and nothing
+/// interrupts it.
+inline constexpr std::size_t kMostGraphNodes = 400;
+/// Throws base::Error if the graphs have more nodes than that together.
+void require_drawable(const std::vector<NamedGraph>& graphs);
+
+/// Graphviz lays the graphs out: each in a frame with its path, if there are several. Throws
+/// base::Error when they are not drawable, or Graphviz fails.
 GraphLayout lay_out(const std::vector<NamedGraph>& graphs);
 
 /// Draws what is running, and what has succeeded or failed, in colour. `format`: "svg" or "png".
-/// Returns the content of the file. Throws base::Error for another format.
+/// Returns the content of the file. Throws base::Error for another format, and for a PNG so large
+/// that its texts could not be read.
 std::string draw_graphs(const GraphLayout& layout, const GraphLights& lights,
                         const std::string& title, const std::string& format);
 
