@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 #include <elsie/base/near_name.h>
@@ -51,11 +52,16 @@ class Reader {
     }
     std::string main = root_.value("main_tree_to_execute");
     std::size_t trees = 0;
+    std::set<std::string> ids;
     for (const Element& tree : root_.children) {
       // Editors keep a list of known nodes in the file.
       if (tree.name == "TreeNodesModel") continue;
       if (tree.name != "BehaviorTree") {
         fail(tree, "<root> may not hold <" + tree.name + "> here; expected <BehaviorTree>");
+      }
+      if (!ids.insert(tree.value("ID")).second) {
+        fail(tree, "there are two <BehaviorTree> of the ID '" + tree.value("ID") +
+                       "'; expected IDs that differ");
       }
       ++trees;
       if (main.empty() && trees == 1) main = tree.value("ID");
@@ -215,6 +221,10 @@ class Reader {
 
 TreeFile read_tree_file(const std::string& file,
                         const std::map<std::string, std::string>& conditions) {
-  const Element root = elsie::world::parse_markup(elsie::world::read_text(file), file);
+  const std::string text = elsie::world::read_text(file);
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
+    throw std::invalid_argument(file + ": the file is empty; expected <root> ... </root>");
+  }
+  const Element root = elsie::world::parse_markup(text, file, "root");
   return Reader(root, conditions).read();
 }

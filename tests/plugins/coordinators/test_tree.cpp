@@ -273,6 +273,10 @@ TEST_CASE("A tree of BehaviorTree.CPP is read from its file") {
   };
   CHECK_THAT(why_not("<tree/>"), Contains("tree.xml:1: found <tree> as the root element"));
   CHECK_THAT(why_not("<root/>"), Contains("has no <BehaviorTree>"));
+  CHECK_THAT(why_not("\n"), Contains("is empty; expected <root>"));
+  CHECK_THAT(why_not("<root main_tree_to_execute='A'>\n<BehaviorTree ID='A'><a/></BehaviorTree>\n"
+                     "<BehaviorTree ID='A'><b/></BehaviorTree></root>"),
+             Contains(":3: there are two <BehaviorTree> of the ID 'A'"));
   CHECK_THAT(why_not("<root><BehaviorTree ID='A'><SubTree ID='B'/></BehaviorTree>\n"
                      "<BehaviorTree ID='B'><SubTree ID='A'/></BehaviorTree></root>"),
              Contains("there are 2 trees; say which is the first"));
