@@ -63,3 +63,17 @@ TEST_CASE("Nodes stand as deep as those around them or, in a tree, above them") 
   CHECK(depths({{{"a"}, {"b"}}, {{0, 1}, {1, 0}}}) == std::vector{0, 0});  // no tree
   CHECK(depths({{{"a"}, {"b"}, {"c"}}, {{0, 2}, {1, 2}}}) == std::vector{0, 0, 0});
 }
+
+TEST_CASE("States with ways in one direction only are no tree: ways say when they are taken") {
+  const Graph errand{{{"search"}, {"fetch"}, {"deliver"}},
+                     {{0, 1, "resource_seen"}, {1, 2, "collected"}}};
+  CHECK_FALSE(is_tree(errand));
+  CHECK(depths(errand) == std::vector{0, 0, 0});
+}
+
+TEST_CASE("A tree has one root") {
+  CHECK(is_tree({{{"a"}, {"b"}, {"c"}}, {{0, 1}, {0, 2}}}));
+  CHECK(is_tree({{{"a"}}, {}}));
+  CHECK_FALSE(is_tree({{{"a"}, {"b"}, {"c"}}, {{0, 1}}}));
+  CHECK_FALSE(is_tree({{{"a"}, {"b", 0}}, {{0, 1}}}));
+}

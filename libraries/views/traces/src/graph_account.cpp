@@ -32,15 +32,22 @@ std::vector<NodeAccount> account(const TraceGraph& graph, const TimeSpan& span) 
   return accounts;
 }
 
+bool is_tree(const Graph& graph) {
+  std::vector<bool> is_below(graph.nodes.size());
+  for (const Graph::Edge& edge : graph.edges) {
+    if (edge.from >= edge.to || is_below[edge.to] || !edge.label.empty()) return false;
+    is_below[edge.to] = true;
+  }
+  return graph.edges.size() + 1 == graph.nodes.size() &&
+         std::all_of(graph.nodes.begin(), graph.nodes.end(),
+                     [](const Graph::Node& node) { return node.within < 0; });
+}
+
 std::vector<int> depths(const Graph& graph) {
   std::vector<int> above;
   for (const Graph::Node& node : graph.nodes) above.push_back(node.within);
-  if (std::all_of(above.begin(), above.end(), [](int node) { return node < 0; })) {
-    // A tree, if at most one edge leads to each node, and from one before it.
-    for (const Graph::Edge& edge : graph.edges) {
-      if (edge.from >= edge.to || above[edge.to] >= 0) return std::vector<int>(above.size());
-      above[edge.to] = static_cast<int>(edge.from);
-    }
+  if (is_tree(graph)) {
+    for (const Graph::Edge& edge : graph.edges) above[edge.to] = static_cast<int>(edge.from);
   }
   std::vector<int> depths;
   for (const int node : above) {

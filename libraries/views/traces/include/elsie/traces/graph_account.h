@@ -28,6 +28,10 @@ struct NodeAccount {
 /// One for each node.
 std::vector<NodeAccount> account(const TraceGraph& graph, const TimeSpan& span);
 
+/// Whether one edge, without a label, leads to each node but the first, from one before it. Other
+/// graphs are states and ways between them.
+bool is_tree(const Graph& graph);
+
 /// How deep each node stands: the nodes around it or, in a tree, above it.
 std::vector<int> depths(const Graph& graph);
 
