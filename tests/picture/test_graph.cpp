@@ -83,9 +83,9 @@ TEST_CASE("A layout has a box for each node, those of a frame inside it, and all
 
 TEST_CASE("An arrow ends at the rim of its node, or of the frame that it leads to") {
   const GraphLayout layout = picture::lay_out({states()});
-  REQUIRE(layout.arrows.size() == 3);
-  const std::size_t ends[] = {2, 3, 0};
-  for (std::size_t i = 0; i < 3; ++i) {
+  REQUIRE(layout.arrows.size() == 5);
+  const std::size_t ends[] = {2, 3, 0, 0, 1};  // the last two from dots
+  for (std::size_t i = 0; i < 5; ++i) {
     const GraphLayout::Arrow& arrow = layout.arrows[i];
     INFO(arrow.label.text);
     CHECK(arrow.curve.size() % 3 == 1);
@@ -100,7 +100,7 @@ TEST_CASE("A graph is drawn with its names, its edges, and what is running in co
                             "fresh", "r1: after 3 s"}) {
     CHECK_THAT(svg, Contains(words));
   }
-  CHECK(times(svg, "stroke=\"#606060\"") == 3);  // arrows
+  CHECK(times(svg, "stroke=\"#606060\"") == 5);  // arrows, two of them from dots
   CHECK(times(svg, "<title>") == 4);
   CHECK_THAT(svg, Contains("<title>carry: running</title>"));
   CHECK_THAT(svg, Contains("<title>work: running</title>"));
@@ -148,7 +148,58 @@ TEST_CASE("A way between a frame and what is in it is drawn, too") {
   NamedGraph graph = states();
   graph.graph.edges = {{0, 2, "in"}, {2, 0, "out"}, {0, 0, "again"}};
   const GraphLayout layout = picture::lay_out({graph});
-  CHECK(layout.arrows.size() == 3);
+  CHECK(layout.arrows.size() == 5);
+}
+
+TEST_CASE(
+    "A dot shows in which state the whole begins, and in which each state with states in it") {
+  const GraphLayout layout = picture::lay_out({states()});
+  REQUIRE(layout.dots.size() == 2);
+  const auto is_in = [&](const Vector2& dot, std::size_t box) {
+    return is_inside({dot, dot, {}}, layout.boxes[box]);
+  };
+  CHECK_FALSE(is_in(layout.dots[0], 0));
+  CHECK(is_in(layout.dots[1], 0));  // "work", beside "dig"
+  CHECK(from_rim(layout.arrows[3].tip, layout.boxes[0]) < 2.0);
+  CHECK(from_rim(layout.arrows[4].tip, layout.boxes[1]) < 2.0);
+  CHECK(picture::lay_out({tree()}).dots.empty());
+}
+
+TEST_CASE("No arrow begins where another ends") {
+  const NamedGraph round{
+      "arbiter_states",
+      {{{"out"}, {"load"}, {"back"}},
+       {{0, 1, "arrived"}, {1, 2, "after 3 s"}, {2, 0, "done"}, {1, 0, "lost"}, {2, 1, "empty"}}}};
+  const GraphLayout layout = picture::lay_out({round});
+  for (const GraphLayout::Arrow& one : layout.arrows) {
+    for (const GraphLayout::Arrow& other : layout.arrows) {
+      const Vector2& begin = other.curve.front();
+      INFO(one.label.text << ", " << other.label.text);
+      CHECK(std::hypot(one.tip.x - begin.x, one.tip.y - begin.y) > 8.0);
+    }
+  }
+}
+
+TEST_CASE("Labels of arrows lie neither on the rim of a frame nor on a node") {
+  NamedGraph graph = states();
+  graph.graph.nodes.insert(graph.graph.nodes.end(), {{"sleep"}, {"deep", 4}, {"light", 4}});
+  graph.graph.edges.insert(graph.graph.edges.end(), {{1, 6, "[0.3 > battery] after 12 s"},
+                                                     {0, 4, "tired"},
+                                                     {6, 2, "[battery > 0.9]"},
+                                                     {5, 6, "heard"},
+                                                     {6, 5, "after 3 s"},
+                                                     {4, 3, "light_seen"}});
+  const GraphLayout layout = picture::lay_out({graph});
+  for (const GraphLayout::Arrow& arrow : layout.arrows) {
+    const auto& [words, at, size] = arrow.label;
+    if (words.empty()) continue;
+    const GraphLayout::Box place{
+        {at.x - size.x / 2, at.y - size.y / 2}, {at.x + size.x / 2, at.y + size.y / 2}, {}};
+    for (const GraphLayout::Box& box : layout.boxes) {
+      INFO(words << " at " << box.label.text);
+      CHECK((are_apart(place, box) || (box.is_frame && is_inside(place, box))));
+    }
+  }
 }
 
 TEST_CASE("A backslash in a name is a backslash, and an entity is what is written") {

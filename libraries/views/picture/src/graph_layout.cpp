@@ -6,7 +6,9 @@
 
 #include "elsie/base/error.h"
 #include "elsie/picture/graph_picture.h"
+#include "elsie/traces/graph_account.h"
 
+#include "graph_room.h"
 #include "text.h"
 
 namespace elsie::picture {
@@ -49,7 +51,10 @@ class GraphSheet {
       if (node.within >= 0) holds_[static_cast<std::size_t>(node.within)] = true;
     }
     for (std::size_t i = 0; i < graph_.nodes.size(); ++i) add_node(i, page);
+    entries_ = nodes_;
+    if (!traces::is_tree(graph_)) add_dots(page);
     for (const Graph::Edge& edge : graph_.edges) add_edge(edge, page);
+    for (const Dot& dot : dots_) add_way_from(dot, page);
   }
 
   /// After the layout: adds what Graphviz has found.
@@ -60,9 +65,16 @@ class GraphSheet {
                                        : box(nodes_[i], i, layout.height));
     }
     for (std::size_t i = 0; i < edges_.size(); ++i) read_edge(i, layout);
+    for (const Dot& dot : dots_) layout.dots.push_back(at(ND_coord(dot.made), layout.height));
   }
 
  private:
+  /// With an edge to the state in which the whole, or a frame, begins.
+  struct Dot {
+    Agnode_t* made;
+    std::size_t first;
+  };
+
   /// On a node, or on the frame of the graph.
   std::string words_of(std::optional<std::size_t> node) const {
     return clean_text(node ? graph_.nodes[*node].label : path_);
@@ -104,8 +116,8 @@ class GraphSheet {
   }
 
   void add_edge(const Graph::Edge& edge, Agraph_t* page) {
-    Agedge_t* const made = agedge(page, nodes_[representative(edge.from)],
-                                  nodes_[representative(edge.to)], nullptr, 1);
+    Agedge_t* const made =
+        agedge(page, nodes_[representative(edge.from)], entries_[edge.to], nullptr, 1);
     edges_.push_back(made);
     if (!edge.label.empty()) set(made, "label", " " + literal(clean_text(edge.label)) + " ");
     // An edge between a frame and something in it is not cut off.
@@ -115,15 +127,43 @@ class GraphSheet {
     if (holds_[edge.to] && !is_inside(edge.from, edge.to)) set(made, "lhead", frame_name(edge.to));
   }
 
+  /// One for the first state, and one for the first in each frame.
+  void add_dots(Agraph_t* page) {
+    std::vector<bool> has_one(graph_.nodes.size() + 1);
+    for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
+      const auto around = static_cast<std::size_t>(graph_.nodes[i].within + 1);
+      if (has_one[around]) continue;
+      has_one[around] = true;
+      Agraph_t* const sheet = around == 0 ? page : frames_[around - 1];
+      Agnode_t* const dot = agnode(sheet, text("dot" + prefix_ + std::to_string(around)), 1);
+      const std::string size = std::to_string(2 * kGraphDot / kPoints);
+      set(dot, "shape", "circle");
+      set(dot, "fixedsize", "true");
+      set(dot, "width", size);
+      set(dot, "height", size);
+      set(dot, "label", "");
+      if (around > 0) entries_[around - 1] = dot;
+      dots_.push_back({dot, i});
+    }
+  }
+  void add_way_from(const Dot& dot, Agraph_t* page) {
+    edges_.push_back(agedge(page, dot.made, entries_[dot.first], nullptr, 1));
+    if (holds_[dot.first]) set(edges_.back(), "lhead", frame_name(dot.first));
+  }
+
   // Graphviz' y goes up.
   static Vector2 at(const pointf& point, double height) { return {point.x, height - point.y}; }
+  static GraphLayout::Label placed(const std::string& words, const textlabel_t& label,
+                                   double height) {
+    return {words, at(label.pos, height), {label.dimen.x, label.dimen.y}};
+  }
 
   GraphLayout::Box frame(Agraph_t* made, std::optional<std::size_t> node, double height) const {
     const boxf& box = GD_bb(made);
     const textlabel_t* const label = GD_label(made);
     return {at({box.LL.x, box.UR.y}, height),
             at({box.UR.x, box.LL.y}, height),
-            {words_of(node), label ? at(label->pos, height) : Vector2()},
+            label ? placed(words_of(node), *label, height) : GraphLayout::Label{words_of(node), {}},
             number_,
             node,
             true};
@@ -147,8 +187,10 @@ class GraphSheet {
         arrow.curve.push_back(at(drawn.list[k], layout.height));
       }
       arrow.tip = drawn.eflag ? at(drawn.ep, layout.height) : arrow.curve.back();
-      if (const textlabel_t* const label = ED_label(edges_[edge]); label && i == 0) {
-        arrow.label = {clean_text(graph_.edges[edge].label), at(label->pos, layout.height)};
+      const textlabel_t* const label =
+          edge < graph_.edges.size() ? ED_label(edges_[edge]) : nullptr;
+      if (label && i == 0) {
+        arrow.label = placed(clean_text(graph_.edges[edge].label), *label, layout.height);
       }
       layout.arrows.push_back(std::move(arrow));
     }
@@ -162,7 +204,9 @@ class GraphSheet {
   Agraph_t* whole_ = nullptr;  // the frame of the graph
   std::vector<Agraph_t*> frames_;
   std::vector<Agnode_t*> nodes_;
-  std::vector<Agedge_t*> edges_;
+  std::vector<Agnode_t*> entries_;  // where edges to a node end: to a frame, at the dot in it
+  std::vector<Dot> dots_;
+  std::vector<Agedge_t*> edges_;  // those of the graph, then those from the dots
 };
 
 void set_defaults(Agraph_t* page) {
@@ -217,6 +261,8 @@ GraphLayout lay_out(const std::vector<NamedGraph>& graphs) {
   layout.height = all.UR.y;
   for (const GraphSheet& sheet : sheets) sheet.read(layout);
   gvFreeLayout(context, page.get());
+  part_arrows(layout);
+  free_labels(layout);
   return layout;
 }
 

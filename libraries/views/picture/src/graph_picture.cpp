@@ -99,6 +99,10 @@ void draw(Canvas& canvas, GraphLayout layout, const GraphLights& lights, const V
     shift(arrow.tip), shift(arrow.label.at);
     draw_arrow(canvas, arrow);
   }
+  for (Vector2& dot : layout.dots) {
+    shift(dot);
+    canvas.dot(dot, kGraphDot, kArrowInk);
+  }
 }
 
 }  // namespace

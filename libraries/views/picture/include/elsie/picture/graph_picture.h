@@ -24,12 +24,15 @@ struct NamedGraph {
 /// What the nodes of each graph are.
 using GraphLights = std::vector<std::vector<NodeState>>;
 
+inline constexpr double kGraphDot = 4.0;  // radius of a dot
+
 /// Where the parts of graphs stand, in units of which a text has 10 to 12; y goes down. Drawing it
 /// again with other lights is cheap.
 struct GraphLayout {
   struct Label {
     std::string text;
-    Vector2 at;  // its middle
+    Vector2 at;      // its middle
+    Vector2 size{};  // the room that it takes
   };
   /// A node; one that holds others is a frame around them.
   struct Box {
@@ -45,8 +48,11 @@ struct GraphLayout {
     Label label;
   };
 
-  std::vector<Box> boxes;  // each after those around it
-  std::vector<Arrow> arrows;
+  std::vector<Box> boxes;     // each after those around it
+  std::vector<Arrow> arrows;  // those of edges, then those from the dots
+  /// Middles of dots, each with an arrow to the state in which the whole, or the frame around it,
+  /// begins. Trees have none.
+  std::vector<Vector2> dots;
   double width = 0.0, height = 0.0;
 };
 

@@ -1,0 +1,16 @@
+// Room for what Graphviz packs too closely to be told apart.
+#pragma once
+
+#include "elsie/picture/graph_picture.h"
+
+namespace elsie::picture {
+
+/// Where an arrow begins at the tip of another, the two look like one with two heads: its beginning
+/// moves along the rim of its box.
+void part_arrows(GraphLayout& layout);
+
+/// A label on a rim, a node or another label, and if possible one on an arrow, moves to the nearest
+/// place where it can be read. That of an arrow inside a frame stays inside, others stay outside.
+void free_labels(GraphLayout& layout);
+
+}  // namespace elsie::picture
