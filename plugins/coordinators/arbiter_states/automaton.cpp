@@ -13,6 +13,12 @@ namespace {
 
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
 
+/// "transition[2] of the state 'dig'": the second of its transitions.
+std::string in_words(const Transition& transition, const State& of) {
+  const std::size_t number = static_cast<std::size_t>(&transition - of.transitions.data()) + 1;
+  return "transition[" + std::to_string(number) + "] of the state " + quoted(of.name);
+}
+
 /// When a transition is taken, for a drawing.
 std::string words(const Way& way) {
   const Transition& transition = *way.described;
@@ -37,7 +43,12 @@ Automaton::Automaton(const std::vector<State>& states) {
 
 void Automaton::add(const std::vector<State>& held, std::size_t within) {
   for (const State& state : held) {
-    if (state.name.empty()) throw std::invalid_argument("a state has an empty name");
+    if (state.name.empty()) {
+      throw std::invalid_argument(
+          "state[" + std::to_string(&state - held.data() + 1) + "]" +
+          (within == kNowhere ? "" : " in " + quoted(places_[within].described->name)) +
+          " has an empty name");
+    }
     for (const Place& other : places_) {
       if (other.described->name == state.name) {
         throw std::invalid_argument("two states are called " + quoted(state.name) +
@@ -56,8 +67,8 @@ void Automaton::add(const std::vector<State>& held, std::size_t within) {
 }
 
 void Automaton::resolve(Place& place) {
-  const std::string of = " of the state " + quoted(place.described->name);
   for (const Transition& transition : place.described->transitions) {
+    const std::string it = in_words(transition, *place.described);
     Way way{&transition, 0, {}};
     const auto to = std::find_if(places_.begin(), places_.end(), [&](const Place& other) {
       return other.described->name == transition.to;
@@ -65,13 +76,13 @@ void Automaton::resolve(Place& place) {
     if (to == places_.end()) {
       std::vector<std::string> names;
       for (const Place& other : places_) names.push_back(other.described->name);
-      throw std::invalid_argument("a transition" + of + " leads to " + quoted(transition.to) +
+      throw std::invalid_argument(it + " leads to " + quoted(transition.to) +
                                   ", which is no state" +
                                   elsie::base::near_or_all(transition.to, names, "there are"));
     }
     if (transition.event.empty() && transition.when.empty() && transition.after == 0.0 &&
         transition.chance == 1.0) {
-      throw std::invalid_argument("the transition" + of + " to " + quoted(transition.to) +
+      throw std::invalid_argument(it + " to " + quoted(transition.to) +
                                   " says not when; expected event, when, after or chance");
     }
     way.to = static_cast<std::size_t>(to - places_.begin());
@@ -79,7 +90,7 @@ void Automaton::resolve(Place& place) {
       try {
         way.when.emplace(transition.when);
       } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument("when=\"" + transition.when + "\"" + of + ": " + error.what());
+        throw std::invalid_argument(it + ", when=\"" + transition.when + "\": " + error.what());
       }
     }
     place.ways.push_back(std::move(way));
@@ -101,7 +112,13 @@ void Automaton::equip(std::span<const elsie::Member> members, const elsie::Perce
   names.throw_problems();
   for (Place& place : places_) {
     for (Way& way : place.ways) {
-      if (way.when) way.when->equip(members, example);
+      if (!way.when) continue;
+      try {
+        way.when->equip(members, example);
+      } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(in_words(*way.described, *place.described) + ": " +
+                                    error.what());
+      }
     }
   }
 }
@@ -133,6 +150,7 @@ elsie::Graph Automaton::graph() const {
   }
   return graph;
 }
+
 std::vector<bool> Automaton::reachable() const {
   std::vector<bool> reached(places_.size(), false);
   const std::function<void(std::size_t)> visit = [&](std::size_t place) {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "member_names.h"
+#include "tree_words.h"
 
 using elsie::Status;
 
@@ -17,6 +18,23 @@ std::string label_of(const TreeNode& node) {
   return node.kind;
 }
 
+/// Throws what is wrong with a node itself.
+void check(const TreeNode& node) {
+  const std::string tag = "<" + node.kind + ">";
+  const auto count = static_cast<int>(node.children.size());
+  if (node.has_one_child() ? count != 1 : !node.is_leaf() && count == 0) {
+    throw std::invalid_argument(tag + " has " + std::to_string(count) + " nodes in it; expected " +
+                                (node.has_one_child() ? "one" : "at least one"));
+  }
+  if (node.kind == "condition" && node.when.empty() == node.event.empty()) {
+    throw std::invalid_argument("<condition> needs either when=\"...\" or event=\"...\"");
+  }
+  if (node.kind == "parallel" && (node.successes > count || node.failures > count)) {
+    throw std::invalid_argument("<parallel> waits for more nodes than the " +
+                                std::to_string(count) + " in it");
+  }
+}
+
 }  // namespace
 
 BehaviorTree::Kind BehaviorTree::kind_of(const std::string& name) {
@@ -27,34 +45,25 @@ BehaviorTree::Kind BehaviorTree::kind_of(const std::string& name) {
   return kKinds.at(name);
 }
 
-BehaviorTree::BehaviorTree(const TreeNode& root) { add(root, 0); }
+BehaviorTree::BehaviorTree(const TreeNode& root) { add(root, 0, root.kind); }
 
-void BehaviorTree::add(const TreeNode& described, std::size_t parent) {
-  const std::string tag = "<" + described.kind + ">";
-  const std::size_t own = nodes_.size(), count = described.children.size();
-  if (described.has_one_child() ? count != 1 : !described.is_leaf() && count == 0) {
-    throw std::invalid_argument(tag + " has " + std::to_string(count) + " nodes in it; expected " +
-                                (described.has_one_child() ? "one" : "at least one"));
-  }
+void BehaviorTree::add(const TreeNode& described, std::size_t parent, const std::string& path) {
+  const std::size_t own = nodes_.size();
   Node node;
   node.described = &described;
   node.kind = kind_of(described.kind);
   node.parent = parent;
-  if (node.kind == Kind::condition) {
-    if (described.when.empty() == described.event.empty()) {
-      throw std::invalid_argument("<condition> needs either when=\"...\" or event=\"...\"");
-    }
+  node.where = described.where.empty() ? path + ": " : described.where;
+  try {
+    check(described);
     if (!described.when.empty()) node.when.emplace(described.when);
-  }
-  if (described.kind == "parallel" && (described.successes > static_cast<int>(count) ||
-                                       described.failures > static_cast<int>(count))) {
-    throw std::invalid_argument("<parallel> waits for more nodes than the " +
-                                std::to_string(count) + " in it");
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(node.where + error.what());
   }
   nodes_.push_back(std::move(node));
   for (const TreeNode& child : described.children) {
     nodes_[own].children.push_back(nodes_.size());
-    add(child, own);
+    add(child, own, path_in(path, described, child));
   }
 }
 
@@ -69,7 +78,7 @@ void BehaviorTree::equip(std::span<const elsie::Member> members, const elsie::Pe
       }
       if (node.when) node.when->equip(members, example);
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(node.described->where + error.what());
+      throw std::invalid_argument(node.where + error.what());
     }
   }
 }

@@ -75,6 +75,7 @@ class BehaviorTree {
     const TreeNode* described;
     Kind kind;
     std::size_t parent;
+    std::string where;  // before what is wrong with it: "tree.xml:4: " or "fallback/run[2]: "
     std::vector<std::size_t> children;
     std::optional<Condition> when;
     std::size_t member = 0;
@@ -92,7 +93,7 @@ class BehaviorTree {
     const elsie::Perception& perception;
   };
 
-  void add(const TreeNode& described, std::size_t parent);
+  void add(const TreeNode& described, std::size_t parent, const std::string& path);
   elsie::Status tick(std::size_t node, const Now& now);
   elsie::Status outcome(Node& node, bool is_new, const Now& now);
   elsie::Status in_order(Node& node, const Now& now, elsie::Status goes_on);

@@ -288,7 +288,8 @@ TEST_CASE("Automata that mean nothing are refused in words") {
   CHECK_THAT(refusal({state("one", "a"), state("one", "b")}),
              Contains("two states are called 'one'"));
   CHECK_THAT(refusal({state("one", "a", {on("go", "twoo")}), state("two", "b")}),
-             Contains("leads to 'twoo', which is no state; did you mean 'two'?"));
+             Contains("transition[1] of the state 'one' leads to 'twoo', which is no state; did "
+                      "you mean 'two'?"));
   CHECK_THAT(
       refusal({state("one", "d")}),
       Contains("<state behavior=\"d\"> names no behaviour of this coordinator; it has: a, b, c"));
@@ -298,8 +299,11 @@ TEST_CASE("Automata that mean nothing are refused in words") {
              Contains("says not when; expected event, when, after or chance"));
   CHECK_THAT(refusal({state("one", "a", {when("batery < 1", "one")})}),
              Contains("'batery' is nothing that the robot perceives; did you mean 'battery'?"));
+  CHECK_THAT(refusal({state("one", "a", {on("go", "one"), when("ghost > 1", "one")})}),
+             Contains("transition[2] of the state 'one': the condition \"ghost > 1\""));
+  CHECK_THAT(refusal({state("one", "a"), state("", "b")}), Contains("state[2] has an empty name"));
   CHECK_THAT(refusal({state("one", "a", {when("battery <", "one")})}),
-             Contains("when=\"battery <\" of the state 'one': column 10: "));
+             Contains("transition[1] of the state 'one', when=\"battery <\": column 10: "));
   CHECK_THAT(refusal({state("one", "a", {when("c.y > 1", "one")})}),
              Contains("the behavior 'c' publishes no number 'y'; did you mean 'c.x'?") ||
                  Contains("the behavior 'c' publishes no number 'y'; there are: c.x"));

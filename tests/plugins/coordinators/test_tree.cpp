@@ -238,6 +238,15 @@ TEST_CASE("Its graph is the tree, lit by the last tick") {
                                          NodeState::dark, NodeState::running});
 }
 
+TEST_CASE("What is wrong with a node is said with its path") {
+  CHECK_THAT(refusal({node("fallback", {node("sequence", {run("a")}), node("sequence")})}),
+             Contains("fallback/sequence[2]: <sequence> has 0 nodes in it"));
+  CHECK_THAT(refusal({node("inverter", {condition("battery <")})}),
+             Contains("inverter/condition: ") && Contains("column 10"));
+  CHECK_THAT(refusal({node("sequence", {run("a"), run("d")})}),
+             Contains("sequence/run[2]: <run behavior=\"d\"> names no behaviour"));
+}
+
 TEST_CASE("A tree of BehaviorTree.CPP is read from its file") {
   const files::ScratchFolder folder(std::filesystem::temp_directory_path());
   const std::string file = (folder.path() / "tree.xml").string();
