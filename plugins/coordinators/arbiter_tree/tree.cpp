@@ -11,13 +11,6 @@ using elsie::Status;
 
 namespace {
 
-std::string label_of(const TreeNode& node) {
-  if (!node.name.empty()) return node.name;
-  if (node.kind == "run") return node.behavior;
-  if (node.kind == "condition") return node.when.empty() ? node.event : node.when;
-  return node.kind;
-}
-
 /// Throws what is wrong with a node itself.
 void check(const TreeNode& node) {
   const std::string tag = "<" + node.kind + ">";

@@ -228,7 +228,7 @@ TEST_CASE("Its graph is the tree, lit by the last tick") {
   const Graph graph = (*robot.robot)->graph();
   std::vector<std::string> labels;
   for (const Graph::Node& each : graph.nodes) labels.push_back(each.label);
-  CHECK(labels == std::vector<std::string>{"main", "sequence", "battery > 0.5", "a", "b"});
+  CHECK(labels == std::vector<std::string>{"?* main", "→*", "if battery > 0.5", "a", "b"});
   REQUIRE(graph.edges.size() == 4);
   CHECK(graph.edges[2].from == 1);
   CHECK(graph.edges[2].to == 3);
@@ -236,6 +236,22 @@ TEST_CASE("Its graph is the tree, lit by the last tick") {
   (*robot.robot)->light(lights);
   CHECK(lights == std::vector<NodeState>{NodeState::running, NodeState::failure, NodeState::failure,
                                          NodeState::dark, NodeState::running});
+}
+
+TEST_CASE("A label has the symbol of the node's kind, a * for memory, and its name") {
+  Robot robot(
+      {node("sequence",
+            {node("parallel", {run("a", {{"name", "drive"}})}, {{"name", "charge"}}),
+             node("inverter", {node("condition", {}, {{"event", "arrived"}, {"name", "there"}})}),
+             node("timeout", {node("retry", {run("b")}, {{"name", "dock"}})}, {{"seconds", 12.0}}),
+             node("repeat", {node("fallback", {run("c")}, {{"name", "live"}, {"memory", false}})},
+                  {{"times", std::int64_t{0}}})},
+            {{"memory", false}})});
+  std::vector<std::string> labels;
+  for (const Graph::Node& each : (*robot.robot)->graph().nodes) labels.push_back(each.label);
+  CHECK(labels == std::vector<std::string>{"→", "⇉ charge", "drive", "¬", "if there",
+                                           "timeout 12 s", "retry 3 dock", "b", "repeat", "? live",
+                                           "c"});
 }
 
 TEST_CASE("What is wrong with a node is said with its path") {
