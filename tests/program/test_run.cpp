@@ -104,6 +104,24 @@ TEST_CASE("--graph refuses an automaton of too many states before the run") {
   CHECK_THAT(run.err, Catch::Contains("401 nodes") && Catch::Contains("at most 400"));
 }
 
+TEST_CASE("check prints what plugins note before a run, once for robots that are alike") {
+  Workplace here;
+  const std::string robot =
+      "<behaviors><wander/></behaviors><coordinator><arbiter_states>"
+      "<state name='top' behavior='wander' ends='success'/><state name='bottom' ends='success'/>"
+      "</arbiter_states></coordinator></robot>";
+  here.write("island.xml",
+             "<world format='1'><arena length='4' width='4'/><robots>"
+             "<robot id='a' x='-1' y='0'>" +
+                 robot + "<robot id='b' x='1' y='0'>" + robot + "</robots></world>");
+  const auto check = here.elsie("check island.xml");
+  CHECK(check.exit_code == 0);
+  CHECK(check.err ==
+        "island.xml: note: a and 1 more robot, arbiter_states: the state 'bottom' is never reached "
+        "from the first one\n");
+  CHECK(here.elsie("check island.xml --quiet").err.empty());
+}
+
 TEST_CASE("--set changes any attribute by its path") {
   Workplace here;
   const auto distance = [&](const std::string& options) {

@@ -1,7 +1,11 @@
 // elsie check: reads world and experiment files and reports their mistakes, without running them.
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <spdlog/spdlog.h>
@@ -36,6 +40,21 @@ struct CheckOptions {
   bool quiet = false;
 };
 
+/// What plugins note before a run. Of robots that are alike, one stands for all.
+void print_notes(const simulation::Simulation& simulation, const std::string& file) {
+  std::map<std::pair<std::string, std::string>, std::vector<std::string>> robots;  // by note
+  for (const simulation::Note& note : simulation.notes()) {
+    if (note.plugin == simulation::kPhysicsNotes) continue;  // a warning of the world
+    robots[{note.plugin, note.text}].push_back(note.robot);
+  }
+  for (const auto& [note, of] : robots) {
+    const std::string more =
+        of.size() > 1 ? " and " + base::counted(of.size() - 1, "more robot") : "";
+    err() << file << ": note: " << (of[0].empty() ? "" : of[0] + more + ", ") << note.first << ": "
+          << note.second << '\n';
+  }
+}
+
 /// The line about a world without mistakes.
 std::string check_world(const std::string& text, const std::string& file, const plugin::Host& host,
                         const CheckOptions& options) {
@@ -59,6 +78,7 @@ std::string check_world(const std::string& text, const std::string& file, const 
   for (const base::Problem& doubt : doubts(simulation)) {
     err() << doubt.text() << '\n';
   }
+  if (!options.quiet) print_notes(simulation, file);
   if (options.expand) {
     data_out() << world::write_world(world);
   }
