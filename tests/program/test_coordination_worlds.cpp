@@ -152,7 +152,7 @@ TEST_CASE("Worlds that one coordinator solves, and others do not") {
   }
 }
 
-TEST_CASE("Learned arbitration needs all behaviours: each alone fails, and so does no learning") {
+TEST_CASE("Without learning nobody gathers and lives: no behaviour alone, and no fixed order") {
   Workplace here;
   const auto run = [&](const std::string& edits) {
     return json::parse(here.elsie("run worlds/learned_arbitration.xml --json" + edits).out);
@@ -162,6 +162,16 @@ TEST_CASE("Learned arbitration needs all behaviours: each alone fails, and so do
     CHECK(run(" --set 'robot[r1]/coordinator=<arbiter_suppression/>' --set 'robot[r1]/behavior[" +
               behavior + "]/@priority=2'")["outcome"] != "success");
   }
+  std::vector<std::string> order{"avoid_obstacle", "gather", "recharge"};
+  do {
+    std::string edits =
+        " --set 'robot[r1]/coordinator=<arbiter_action_selection by_priority=\"true\"/>'";
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      edits += " --set robot[r1]/behavior[" + order[i] + "]/@priority=" + std::to_string(3 - i);
+    }
+    CAPTURE(edits);
+    CHECK(run(edits)["outcome"] != "success");
+  } while (std::next_permutation(order.begin(), order.end()));
   CHECK(run(" --set robot[r1]/coordinator/@values/@remove=true"
             " --set robot[r1]/coordinator/@untrained=true")["outcome"] != "success");
 }
