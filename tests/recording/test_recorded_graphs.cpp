@@ -86,7 +86,7 @@ TEST_CASE("A recording has a graph once, and what is lit in each decision where 
   CHECK(graph["edges"][0] == nlohmann::json{{"from", 1}, {"to", 2}, {"label", "after"}});
   CHECK(graph["edges"][1] == nlohmann::json{{"from", 2}, {"to", 1}});
 
-  const auto& lights = all.at("/robots/r1/lights");
+  const auto& lights = all.at("/robots/r1/lit");
   REQUIRE(lights.size() == 5);  // at 0, 0.2, 0.4, 0.6 and 0.8 s
   for (std::size_t i = 0; i < lights.size(); ++i) {
     CAPTURE(i);
@@ -103,7 +103,7 @@ TEST_CASE("A robot whose coordinator has no graph has no channels for one") {
   const RecordedFile file(of_both(), turning());
   const auto all = recorded(file.path);
   CHECK_FALSE(all.contains("/robots/r2/graphs"));
-  CHECK_FALSE(all.contains("/robots/r2/lights"));
+  CHECK_FALSE(all.contains("/robots/r2/lit"));
 }
 
 TEST_CASE("The same run is recorded with its graphs and not recorded, bit for bit") {

@@ -46,7 +46,8 @@ class GraphPanel::Page : public QWidget, public ShowsFigures {
     update();
   }
 
-  void take(const Json& listed) {
+  /// Returns whether there are other graphs than before.
+  bool take(const Json& listed) {
     std::vector<picture::NamedGraph> graphs;
     picture::GraphLights lights;
     try {
@@ -57,15 +58,16 @@ class GraphPanel::Page : public QWidget, public ShowsFigures {
     } catch (const std::exception& error) {
       forget();
       problem_ = QString::fromUtf8(error.what());
-      return;
+      return true;
     }
     const bool are_new = !is_known_ || graphs != graphs_;
-    if (!are_new && lights == lights_) return;
+    if (!are_new && lights == lights_) return false;
     is_known_ = true;
     graphs_ = std::move(graphs);
     lights_ = std::move(lights);
     if (are_new) lay_out();
     update();
+    return are_new;
   }
 
   /// Gives the page the room that the graphs need beyond that which there is.
@@ -221,8 +223,7 @@ void GraphPanel::look_back(std::optional<double> time_s) {
 void GraphPanel::add(const Json& state) {
   const Json& robot = robot_of(state, page_->robot);
   if (!robot.contains("graphs")) return;
-  page_->take(robot["graphs"]);
-  page_->fit(maximumViewportSize());
+  if (page_->take(robot["graphs"])) page_->fit(maximumViewportSize());
 }
 
 QStringList GraphPanel::numbers() const {

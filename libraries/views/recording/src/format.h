@@ -34,7 +34,7 @@ constexpr const char* kPublishedKind = "published";
 constexpr const char* kReadingsKind = "readings";
 constexpr const char* kHeardKind = "heard";
 constexpr const char* kGraphsKind = "graphs";
-constexpr const char* kLightsKind = "lights";
+constexpr const char* kLitKind = "lit";
 constexpr const char* kPublishedNumbers =
     "numbers";  // its metadata: the numbers and their units, as JSON
 

@@ -353,7 +353,7 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
       write(*to, time_ns, *message);
     };
     put(channels.graphs, kGraphsKind, "elsie.Graphs", graphs);
-    put(channels.lights, kLightsKind, "elsie.Lights", lights);
+    put(channels.lit, kLitKind, "elsie.Lit", lights);
   }
 
   /// What plugins show; nothing when one fails, which is said once.

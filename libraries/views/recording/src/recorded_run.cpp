@@ -41,7 +41,7 @@ class Follower final : public Visitor {
       track_of(robot).sketches = sketches_of(json());
     } else if (kind == kGraphsKind) {
       read_graphs(run_.graphs[robot], json());
-    } else if (kind == kLightsKind) {
+    } else if (kind == kLitKind) {
       read_lights(run_.graphs[robot], json());
     } else if (channel.topic == kSketchesTopic) {
       run_.sketches = sketches_of(json());

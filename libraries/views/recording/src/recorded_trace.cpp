@@ -58,7 +58,7 @@ class TraceBuilder final : public Visitor {
     }
     if (kind == kReadingsKind) readings_[channel.id] = id;
     if (kind == kHeardKind) hearers_[channel.id] = id;
-    if (kind == kGraphsKind || kind == kLightsKind) {
+    if (kind == kGraphsKind || kind == kLitKind) {
       (kind == kGraphsKind ? drawn_ : lit_)[channel.id] = last_of(id);
     }
     if (kind != kTraceKind) {

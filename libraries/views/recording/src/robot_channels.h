@@ -48,7 +48,7 @@ struct RobotChannels {
   std::size_t place;  // in the simulation
   std::uint16_t pose, state, readings, command, trace;
   std::optional<std::uint16_t> belief, published;
-  std::optional<std::uint16_t> sketches, heard, graphs, lights;  // each from the first on
+  std::optional<std::uint16_t> sketches, heard, graphs, lit;  // each from the first on
   std::vector<CameraChannels> cameras;
   TraceTexts texts;
   std::string kind;
