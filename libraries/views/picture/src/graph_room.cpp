@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -57,6 +58,17 @@ std::vector<Vector2> points_of(const GraphLayout::Arrow& arrow) {
   return points;
 }
 
+double distance(const Box& place, const Vector2& point) {
+  return std::hypot(std::max({place.from.x - point.x, 0.0, point.x - place.to.x}),
+                    std::max({place.from.y - point.y, 0.0, point.y - place.to.y}));
+}
+/// To the nearest of the points.
+double distance(const Box& place, const std::vector<Vector2>& points) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vector2& point : points) least = std::min(least, distance(place, point));
+  return least;
+}
+
 }  // namespace
 
 void part_arrows(GraphLayout& layout) {
@@ -90,8 +102,8 @@ void part_arrows(GraphLayout& layout) {
 }
 
 void free_labels(GraphLayout& layout) {
-  constexpr double kStep = 4.0, kNear = 12.0;
-  constexpr int kMost = 15;  // steps
+  constexpr double kStep = 5.0, kNear = 12.0;
+  constexpr int kMost = 12;  // steps
   std::vector<Vector2> ways;
   for (int i = -kMost; i <= kMost; ++i) {
     for (int j = -kMost; j <= kMost; ++j) ways.push_back({kStep * i, kStep * j});
@@ -100,14 +112,12 @@ void free_labels(GraphLayout& layout) {
     return a.x * a.x + a.y * a.y < b.x * b.x + b.y * b.y;
   });
   const Box page{{0.0, 0.0}, {layout.width, layout.height}, {}};
-  std::vector<Vector2> lines;
-  for (const GraphLayout::Arrow& arrow : layout.arrows) {
-    const std::vector<Vector2> points = points_of(arrow);
-    lines.insert(lines.end(), points.begin(), points.end());
-  }
+  std::vector<std::vector<Vector2>> lines;
+  for (const GraphLayout::Arrow& arrow : layout.arrows) lines.push_back(points_of(arrow));
   for (GraphLayout::Arrow& arrow : layout.arrows) {
     if (arrow.label.text.empty()) continue;
-    const std::vector<Vector2> points = points_of(arrow);
+    const std::vector<Vector2>& points =
+        lines[static_cast<std::size_t>(&arrow - layout.arrows.data())];
     const auto is_at = [](const Box& place, const Vector2& point) {
       return is_inside({point, point, {}}, place);
     };
@@ -128,10 +138,6 @@ void free_labels(GraphLayout& layout) {
                       overlap(place, box_of(other.label));
              });
     };
-    const auto is_on_line = [&](const Label& label) {
-      return std::any_of(lines.begin(), lines.end(),
-                         [&](const Vector2& point) { return is_at(box_of(label), point); });
-    };
     // Of an arrow that is cut off at a frame, it may be at the part that is not drawn.
     Label start = arrow.label;
     start.size = {start.size.x + 2 * kNear, start.size.y + 2 * kNear};
@@ -140,14 +146,35 @@ void free_labels(GraphLayout& layout) {
       start.at = points[points.size() / 2];
     }
     start.size = arrow.label.size;
+    // Lines that any of the places may meet.
+    const double window = 2 * kStep * kMost;
+    std::vector<Vector2> own, others;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      for (const Vector2& point : lines[i]) {
+        if (distance(box_of(start), point) > window) continue;
+        (&layout.arrows[i] == &arrow ? own : others).push_back(point);
+      }
+    }
+    // Of a place that can be read: worse on a line, worst where it seems to be of another arrow.
+    const auto cost = [&](const Label& label) {
+      constexpr double kOnLine = 35.0, kAtOther = 60.0;  // as if it had moved so far
+      const double to_own = distance(box_of(label), own);
+      const double to_others = distance(box_of(label), others);
+      return (std::min(to_own, to_others) > 0.0 ? 0.0 : kOnLine) +
+             (to_others < to_own ? kAtOther : 0.0);
+    };
     std::optional<Label> found;
+    double least = std::numeric_limits<double>::infinity();
     for (const Vector2& way : ways) {
+      const double far = std::hypot(way.x, way.y);
+      if (far >= least) break;
       Label moved = start;
       moved.at = {moved.at.x + way.x, moved.at.y + way.y};
       if (!is_free(moved)) continue;
-      const bool is_good = !is_on_line(moved);
-      if (is_good || !found) found = moved;
-      if (is_good) break;
+      if (const double whole = far + cost(moved); whole < least) {
+        least = whole;
+        found = moved;
+      }
     }
     if (found) arrow.label = *found;
   }

@@ -9,8 +9,9 @@ namespace elsie::picture {
 /// moves along the rim of its box.
 void part_arrows(GraphLayout& layout);
 
-/// A label on a rim, a node or another label, and if possible one on an arrow, moves to the nearest
-/// place where it can be read. That of an arrow inside a frame stays inside, others stay outside.
+/// A label on a rim, a node or another label moves to the nearest place where it can be read, near
+/// its own arrow rather than another, and on none if one is near enough. That of an arrow inside a
+/// frame stays inside, others stay outside.
 void free_labels(GraphLayout& layout);
 
 }  // namespace elsie::picture
