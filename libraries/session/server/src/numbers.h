@@ -21,8 +21,9 @@ namespace elsie::server {
 
 /// Samples of the numbers of all robots, by names such as "r1/speed", "r1/avoid/share" or
 /// "r1/left/distance_m"; see Samples. Values are those of the last decision and measurement, not
-/// rounded, in single precision. Numbers that do not exist at a time are NaN then. A node of a graph,
-/// such as "r1/arbiter_states/nodes/3", is 0 (dark), 1 (running), 2 (success) or 3 (failure).
+/// rounded, in single precision. Numbers that do not exist at a time are NaN then. A node of a
+/// graph, such as "r1/arbiter_states/nodes/3", is 0 (dark), 1 (running), 2 (success) or 3
+/// (failure).
 class Numbers {
  public:
   struct Sample {
