@@ -177,16 +177,14 @@ int replay_recording(const ReplayOptions& options) {
     throw BadInput("--at: there is nothing to draw; expected --picture or --graph, too");
   }
   std::vector<files::Output> outputs;
-  if (options.views.picture) {
-    require_picture(*options.views.picture, "--picture");
-    outputs.push_back({"--picture", *options.views.picture});
-  }
+  if (options.views.picture) outputs.push_back({"--picture", *options.views.picture});
   std::optional<GraphFile> graph;
   if (options.views.graph) {
     graph.emplace(*options.views.graph);
     outputs.push_back({"--graph", graph->file()});
   }
   files::require_apart(outputs, {options.file});
+  if (options.views.picture) require_picture(*options.views.picture, "--picture");
   if (options.world) {
     require_new_world(*options.world);
   }
