@@ -5,7 +5,7 @@ ELSIE := $(BUILD)/bin/elsie
 # .ci/run alone sets WARNINGS_ARE_ERRORS: a compiler that warns of more than ours does keeps nobody from building.
 CONFIGURE := cmake --log-level=WARNING $(if $(WARNINGS_ARE_ERRORS),-DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 
-.PHONY: desktop program configure-program transcript api site install package all demo test test-quick sanitize sanitize-threads fuzz fuzz-check bench examples figures world-hashes library-table weigh mutants coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
+.PHONY: desktop program configure-program transcript api site install package all demo test test-quick sanitize sanitize-threads fuzz fuzz-check bench examples figures world-hashes library-table weigh mutants coverage four-resources pictures tables comparison reference format lint lint-changed dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -124,6 +124,7 @@ pictures: program
 	$(ELSIE) run worlds/drives.xml --seed 1 --quiet --picture docs/pictures/drives.png
 	scripts/sense-pictures $(BUILD)
 	scripts/layout-pictures $(BUILD)
+	scripts/coordinator-pictures $(BUILD)
 	scripts/report-pictures $(BUILD)
 
 # The four-resource world with every coordinator, 20 seeds each: docs/research/four-resources.md.
@@ -135,6 +136,10 @@ four-resources: all
 SEEDS ?= 20
 tables: configure
 	experiments/reproduction/tables $(BUILD) --seeds $(SEEDS)
+
+# The study of every coordinator alone: docs/research/every-coordinator.md. Goes on where it was stopped.
+comparison: configure
+	experiments/reproduction/tables $(BUILD) --only every_coordinator
 
 # The generated parts of the plugins' pages in docs/, from their declarations.
 reference: program

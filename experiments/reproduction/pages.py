@@ -1,5 +1,6 @@
 """The pages of the published experiments: which experiments they are about, and what is generated on them, all from docs/research/tables/."""
 import archive
+import comparison
 import deciding
 import deciding_figures
 import parts
@@ -25,6 +26,8 @@ class Published:
 
     def __init__(self, tables):
         self.every = {name: archive.read(tables, name) for name in EXPERIMENTS}
+        self.study = self.every[comparison.EXPERIMENT]
+        self.compared = comparison.read(tables)
         self.deciding = {name: archive.read(tables, name) for name in DECIDING}
         self.arena, self.clutter = (deciding.Study(self.deciding[name]) for name in DECIDING)
         self.fast = [setup for setup in self.arena.setups if deciding.as_fast_as_the_original(self.arena, setup)]
@@ -39,7 +42,7 @@ class Published:
         every, arena, clutter = self.every, self.arena, self.clutter
         return {
             "experiments.md": {
-                "provenance": parts.provenance(every),
+                "provenance": parts.provenance({name: runs for name, runs in every.items() if name != comparison.EXPERIMENT}),
                 "conclusions": conclusions(every, self.decided()),
                 "where both succeed": where_both_succeed(every),
                 "cases 1 to 4": parts.cases_1_to_4(every["four_resources"]),
@@ -52,7 +55,8 @@ class Published:
                 "groups": parts.groups(every["groups"]),
                 "scattered": parts.scattered(every["scattered"], every),
             },
-            "every-coordinator.md": {"builds": parts.builds(every), "every coordinator": parts.every_coordinator(every)},
+            "every-coordinator.md": {"builds": parts.builds({comparison.EXPERIMENT: self.study}, "make comparison"),
+                                     **comparison.parts(self.study, self.compared)},
             "original-step.md": {
                 "runs": self.runs(),
                 "shares": deciding.table_of_shares([(f"{ARENA}, all {len(arena.setups)} set-ups", self.arena_shares),

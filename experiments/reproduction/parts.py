@@ -8,7 +8,6 @@ LAYERS = ["2 2", "4 4", "2 2 2 2", "4 4 4 4"]
 SCHEMES = ["arbitration", "fusion"]
 PERIODS = ["0.01", "0.2", "0.3", "0.4", "0.5"]  # s; 0.1 s is that of the cases
 CASES_5_AND_6 = [("5", "one_obstacle"), ("6", "two_obstacles"), ("6, staggered", "two_obstacles_staggered")]
-NETWORKS = [("arbiter_neural_network", "arbitration"), ("fusion_neural_network", "fusion")]
 LAYOUTS = {"one_obstacle": "one obstacle", "two_obstacles": "two, side by side", "two_obstacles_staggered": "two, one after the other"}
 
 # The original's figures: metres, seconds, outcome. Means of five repetitions, printed without a spread.
@@ -188,7 +187,7 @@ def repeated(every):
                    f"{share_in_words(same_, runs)} the same state at the end, bit for bit." for commit, (runs, outcomes, same_) in found.items())
 
 
-def builds(every):
+def builds(every, command="make tables"):
     """The runs of each build, and how many of them were repeated."""
     runs = sum(len(results.runs) for results in every.values())
     found = {}
@@ -198,7 +197,8 @@ def builds(every):
         build = "one build, " + next(iter(found))
     else:
         build = f"{len(found)} builds: " + "; ".join(f"{', '.join(f'`{name}.xml`' for name in names)}: {told}" for told, names in found.items())
-    return f"Written by `make tables`: {runs} runs of {len(every)} experiment files, of {build}.{repeated(every)}"
+    files = "an experiment file" if len(every) == 1 else f"{len(every)} experiment files"
+    return f"Written by `{command}`: {runs} runs of {files}, of {build}.{repeated(every)}"
 
 
 def provenance(every):
@@ -229,17 +229,3 @@ def published(every):
         for _, world in CASES_5_AND_6:
             runs[world, scheme] = every["obstacles"].of(coordinator=scheme, world=world, search="left")
     return runs
-
-
-def every_coordinator(every):
-    worlds = ["four_resources", "one_obstacle", "two_obstacles", "two_obstacles_staggered", "clutter"]
-    study = every["every_coordinator"]
-    rows = []
-    for label in dict.fromkeys(run.levels["coordinator"] for run in study.runs):
-        name, _, how = label.partition(" (")
-        rows.append([f"`{name}`" + (f", {how[:-1]}" if how else "")] +
-                    [cell_of(study.of(coordinator=label, world=world)) for world in worlds])
-    for name, scheme in NETWORKS:
-        rows.append([f"`{name}`, 4 4"] + [cell_of(published(every)[world, scheme]) for world in worlds])
-    rows.sort(key=lambda row: row[0])
-    return table(["coordinator", "cases 1 to 4", "case 5", "case 6", "case 6, staggered", "case 7"], rows)

@@ -2,10 +2,11 @@
 import math
 from statistics import mean
 
+import comparison
 import deciding
 from claims import Claim, about, in_words, one_part
 from pairs import path_m, sum_of_steps
-from parts import ORIGINAL, ORIGINAL_STEP_S, ORIGINAL_STEPS, SCHEMES, published
+from parts import ORIGINAL, ORIGINAL_STEP_S, ORIGINAL_STEPS, SCHEMES
 from results import successes
 
 EXPERIMENTS, COORDINATORS, STEP = "experiments.md", "every-coordinator.md", "original-step.md"
@@ -132,45 +133,69 @@ def groups(every):
                 holds=all(all_succeed(results.of(world=world)) for world in ("within_1.5_m", "within_3_m")))
 
 
-def every_coordinator(every):
-    study, networks = every["every_coordinator"], published(every)
-    cases_1_to_6 = ["four_resources", "one_obstacle", "two_obstacles", "two_obstacles_staggered"]
-    first, above = "arbiter_suppression (find_resource first)", "arbiter_subsumption (avoid_obstacle above)"
-    labels = study.levels("coordinator")
-    runs = {(label, world): study.of(coordinator=label, world=world) for label in labels for world in study.levels("world")}
-    runs.update({(scheme, world): of_world for (world, scheme), of_world in networks.items()})
-    everyone = [*labels, *SCHEMES]
+def every_coordinator(published_):
+    """Of docs/research/every-coordinator.md."""
+    study, compared = comparison.Study(published_.study), published_.compared
+    dominance = comparison.Dominance(compared, study.coordinators)
+    cells = {(cell["coordinator"], cell["world"]): cell for cell in compared["cells"]}
+    won = {key: cell["successes"] for key, cell in cells.items()}
+    everyone, sum_of_all, worst = study.coordinators, "fusion_vector_summation", "fusion_null_space"
+    overall = {name: compared["overall"][name]["success"] for name in everyone}
 
-    def won(label, worlds):
-        return sum(len(successes(runs[label, world])) for world in worlds)
+    def interval(name, world):
+        return [100 * end for end in cells[name, world]["interval"]]
 
-    def fastest(world):
-        return min(mean_time(runs[label, world]) for label in labels if successes(runs[label, world]))
+    def apart(world, measure):
+        return sum(comparison.is_apart(effects[measure]) for _, _, effects in compared["pairs"][world] if measure in effects)
 
-    done = {label: won(label, cases_1_to_6) for label in everyone}
-    best = max(done.values())
-    yield Claim(COORDINATORS, "**Only vector summation completes all runs of cases 1 to 6.** Layers with `avoid_obstacle` above `find_resource`, active from 0.85 m on, complete all but one.",
-                holds=[label for label in everyone if done[label] == best] == ["fusion_vector_summation"] and best == 80 and done[above] == best - 1)
-    rates = [won(label, ["clutter"]) for label in everyone if "avoid_obstacle first" not in label]
-    yield Claim(COORDINATORS, "All but `avoid_obstacle` first collect everything in {} to {} of {} layouts.", min(rates), max(rates), len(runs[first, "clutter"]))
-    yield Claim(COORDINATORS, "its figures are the same to 2 % in cases 1 to 5.", holds=all(
-        about(mean(map(figure, successes(runs["arbitration", world]))) / mean(map(figure, successes(runs[above, world]))), 1, 0.02)
-        for world in cases_1_to_6[:2] for figure in (path_m, lambda run: run.time_s)))
-    yield Claim(COORDINATORS, "`find_resource` first is within 5 % of the best; one obstacle in its way holds it for ever,",
-                holds=all(about(mean_time(runs[first, world]) / fastest(world), 1, 0.05) for world in ("four_resources", "two_obstacles"))
-                and none_succeeds(runs[first, "one_obstacle"]))
-    some = [won(label, ["one_obstacle"]) for label in ("arbiter_voting", "arbiter_strength", "arbiter_action_selection", "fusion_fuzzy", "fusion_interval")]
-    yield Claim(COORDINATORS, "pass it in {} to {} of {} runs.", min(some), max(some), len(runs[first, "one_obstacle"]))
-    only = "arbiter_suppression (avoid_obstacle first)"
-    yield Claim(COORDINATORS, "**`avoid_obstacle` first hardly ever collects anything.**", holds=won(only, study.levels("world")) == 0 and
-                mean(run.collected for run in study.of(coordinator=only)) < 0.1)
-    yield Claim(COORDINATORS, "**Fusion by a network is the slowest of those that succeed:**", holds=all(
-        mean_time(runs["fusion", world]) > max(mean_time(runs[label, world]) for label in [*labels, "arbitration"] if successes(runs[label, world]))
-        for world in study.levels("world") if successes(runs["fusion", world])))
-    yield Claim(COORDINATORS, "**In the empty arena and in clutter, vector summation takes the longest way:**", holds=all(
-        mean_path(runs["fusion_vector_summation", world]) > max(mean_path(runs[label, world]) for label in everyone
-                                                               if label != "fusion_vector_summation" and successes(runs[label, world]))
-        for world in ("four_resources", "clutter")))
+    def differences(measure):
+        """Of vector summation from each other one over all cases: the difference and its interval in percent of the runs, the smallest first."""
+        found = [(effects[measure], 1 if first == sum_of_all else -1) for first, second, effects in compared["pairs"][comparison.EVERYWHERE] if sum_of_all in (first, second)]
+        return sorted([100 * sign * effect[0], *sorted(100 * sign * end for end in effect[1:3])] for effect, sign in found)
+
+    never, pairs = dominance.never_dominated(), len(everyone) * (len(everyone) - 1) // 2
+    yield Claim(COORDINATORS, "**{} of {} coordinators are dominated,** {} never:", in_words(len(everyone) - len(never)).capitalize(), in_words(len(everyone)), in_words(len(never)),
+                holds=never == ["arbiter_action_selection", "arbiter_states", "arbiter_tree", "fusion_context_blending", "fusion_interval", sum_of_all])
+    least, *_, most = more = differences("success")
+    yield Claim(COORDINATORS, "**Vector summation succeeds more often than every other one,** by {:.0f} ({:.0f} to {:.0f}) to {:.0f} ({:.0f} to {:.0f}) % of the runs:", *least, *most,
+                holds=all(low > 0 for _, low, _ in more) and sum(comparison.is_apart(effects["success"]) for first, second, effects in compared["pairs"][comparison.EVERYWHERE]
+                                                                 if sum_of_all in (first, second)) == len(everyone) - 1)
+    yield Claim(COORDINATORS, "it alone leaves the trap, in {} of 20 runs (95 % interval: {:.0f} to {:.0f} %),", won[sum_of_all, "trap"], *interval(sum_of_all, "trap"),
+                holds=all(won[name, "trap"] == 0 for name in everyone if name != sum_of_all))
+    passing = [name for name in everyone if won[name, "one_obstacle"] == 20]
+    yield Claim(COORDINATORS, "and is among the {} that pass one obstacle in all runs; the other {} never do.", in_words(len(passing)), in_words(len(everyone) - len(passing)),
+                holds=set(passing) == {"arbiter_neural_network", "arbiter_subsumption", "fusion_ib2c", "fusion_neural_network", worst, sum_of_all}
+                and all(won[name, "one_obstacle"] == 0 for name in everyone if name not in passing))
+    slower = [cells[sum_of_all, world]["time_s"] / min(cells[name, world]["time_s"] or math.inf for name in everyone) for world in ("four_resources", "resources")]
+    yield Claim(COORDINATORS, "with four resources it takes {:.1f} and {:.1f} times as long as the fastest,", *slower)
+    yield Claim(COORDINATORS, "**In the clutter nobody is ahead of anybody:** {} to {} of 20 runs, and of the {} pairs none differs in successes, times or touches.",
+                min(won[name, "clutter"] for name in everyone), max(won[name, "clutter"] for name in everyone), pairs,
+                holds=not any(apart("clutter", measure) for measure in comparison.BETTER))
+    yield Claim(COORDINATORS, "**States, the tree and activation decide alike:** they are ahead of each other on no case.", holds=not any(
+        dominance.ahead[one, other] for one in ("arbiter_states", "arbiter_tree", "arbiter_action_selection") for other in ("arbiter_states", "arbiter_tree", "arbiter_action_selection")))
+    medians = {world: [cells[name, world]["time_s"] or math.inf for name in everyone] for world in ("four_resources", "two_obstacles", "resources")}
+    slow = {world: cells["fusion_neural_network", world]["time_s"] for world in medians}
+    factors = [slow[world] / min(medians[world]) for world in medians]
+    yield Claim(COORDINATORS, "**Fusion by a network is the slowest:** it takes {:.1f} to {:.1f} times as long as the fastest.", min(factors), max(factors),
+                holds=all(slow[world] == max(median for median in medians[world] if median < math.inf) for world in medians))
+    yield Claim(COORDINATORS, "**Null-space control succeeds least often,** in {:.0f} % ({:.0f} to {:.0f} %) of the runs:", *(100 * value for value in overall[worst]),
+                holds=min(overall, key=overall.get) == worst)
+    yield from away(study, compared)
+
+
+def away(study, compared):
+    """What engine, noise and failures change."""
+    single = [effects["success"] for name, _, _, effects in compared["away"] if name != comparison.EVERYBODY and "success" in effects]
+    all_together = {level: effects for name, _, level, effects in compared["away"] if name == comparison.EVERYBODY}
+    one_sided = sum(low is not None and (low > 0 or high < 0) for _, low, high, _ in single)
+    yield Claim(COORDINATORS, "**No single coordinator's success changes for certain:** of {} differences none stays after the correction; {} intervals lie on one side of 0, where {:.0f} would by chance.",
+                len(single), in_words(one_sided), 0.05 * len(single), holds=not any(map(comparison.is_apart, single)))
+    more, low, high, _ = (100 * value for value in all_together["0.1 m too far"]["success"])
+    yield Claim(COORDINATORS, "beams that see everything 0.1 m too far let them succeed in {:.0f} ({:.0f} to {:.0f}) % more of the runs.", more, low, high,
+                holds=[level for level, effects in all_together.items() if comparison.is_apart(effects["success"])] == ["0.1 m too far"])
+    yield Claim(COORDINATORS, "The engine changes {:.0f} ({:.0f} to {:.0f}) %,", *(100 * value for value in all_together["planar"]["success"][:3]))
+    yield Claim(COORDINATORS, "10 % noise {:.0f} ({:.0f} to {:.0f}) %.", *(100 * value for value in all_together["10 %"]["success"][:3]))
+    yield Claim(COORDINATORS, "Readings that are 0.3 s late cost time", holds=comparison.is_apart(all_together["0.3 s late"]["time_s"]) and all_together["0.3 s late"]["time_s"][0] > 0)
 
 
 def original_step(published_):
@@ -236,5 +261,5 @@ def nearest(arena, clutter):
 def statements(published_):
     """All claims of the three pages. published_: pages.Published."""
     every = published_.every
-    found = [claim for part in (four_resources, before_a_resource, backing_off, clutter, decision_period, groups, every_coordinator) for claim in part(every)]
-    return found + list(original_step(published_))
+    found = [claim for part in (four_resources, before_a_resource, backing_off, clutter, decision_period, groups) for claim in part(every)]
+    return found + list(every_coordinator(published_)) + list(original_step(published_))

@@ -36,8 +36,8 @@ class View:
     """Maps metres to pixels: y goes up in the world, down on the page."""
 
     def __init__(self, things, ways, width):
-        xs = [number(e, "x", 0) for e in things] + [pose[0] for _, _, poses in ways for pose in poses]
-        ys = [number(e, "y", 0) for e in things] + [pose[1] for _, _, poses in ways for pose in poses]
+        xs = [number(e, "x", 0) for e in things] + [pose[0] for way in ways for pose in way[2]]
+        ys = [number(e, "y", 0) for e in things] + [pose[1] for way in ways for pose in way[2]]
         self.left, self.top = min(xs) - MARGIN, max(ys) + MARGIN
         self.scale = width / (max(xs) + MARGIN - self.left)
         self.width, self.height = width, (self.top - min(ys) + MARGIN) * self.scale
@@ -71,7 +71,7 @@ def panel(view, things, success, poses):
 
 
 def draw(world_text, ways, file, columns=2, width=440):
-    """ways: (label, whether it succeeded, [[x_m, y_m, ...], ...]) for each run in the world; width: of a panel, pixels."""
+    """ways: (label, whether it succeeded, [[x_m, y_m, ...], ...]) for each run in the world, and what else its panel says; width: of a panel, pixels."""
     world = xml.etree.ElementTree.fromstring(world_text)
     things = [(e, OBSTACLE) for e in world.iter("static_box")] + [(e, RESOURCE) for e in world.iter("resource")]
     view = View(list(world.iter("resource")), ways, width)
@@ -80,10 +80,10 @@ def draw(world_text, ways, file, columns=2, width=440):
     out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {canvas[0]:.0f} {canvas[1]:.0f}" width="{canvas[0]:.0f}" height="{canvas[1]:.0f}" '
            'font-family="sans-serif" font-size="12">',
            f'<rect width="{canvas[0]:.0f}" height="{canvas[1]:.0f}" fill="#ffffff"/>']
-    for k, (label, success, poses) in enumerate(ways):
+    for k, (label, success, poses, *said) in enumerate(ways):
         x, y = GAP + k % columns * (width + GAP), GAP + k // columns * row
         out.append(f'<text x="{x}" y="{y + TITLE - 22:.1f}">{escape(label)}</text>')
-        out.append(f'<text x="{x}" y="{y + TITLE - 7:.1f}" font-size="11">{"all collected" if success else "not all collected"}</text>')
+        out.append(f'<text x="{x}" y="{y + TITLE - 7:.1f}" font-size="11">{said[0] if said else "all collected" if success else "not all collected"}</text>')
         out.append(f'<rect x="{x}" y="{y + TITLE:.1f}" width="{width}" height="{view.height:.1f}" fill="none" stroke="{BORDER}"/>')
         # An inner svg clips what is beyond its borders.
         out.append(f'<svg x="{x}" y="{y + TITLE:.1f}" width="{width}" height="{view.height:.1f}">')

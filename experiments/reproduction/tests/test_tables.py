@@ -179,7 +179,8 @@ class Conclusions(WithFolder):
         told = parts.builds({"x": one, "y": other})
         self.assertIn("of 2 builds: `x.xml`: Elsie 9.8.7, commit abc", told)
         self.assertIn("`y.xml`: Elsie 9.8.7, commit not noted", told)
-        self.assertTrue(parts.provenance({"x": one}).startswith("Written by `make tables`: 1 runs of 1 experiment files, of one build, "))
+        self.assertTrue(parts.provenance({"x": one}).startswith("Written by `make tables`: 1 runs of an experiment file, of one build, "))
+        self.assertTrue(parts.builds({"x": one}, "make comparison").startswith("Written by `make comparison`: "))
 
 
     def test_the_page_says_where_the_files_are_and_what_was_repeated(self):
