@@ -42,7 +42,7 @@ TEST_CASE("Every experiment that is shipped is in order, and so is every world o
         ++count;
         const std::string file = folder + '/' + entry.path().filename().string();
         CAPTURE(file);
-        const auto run = here.elsie("check " + file);
+        const auto run = here.elsie("check --quiet " + file);
         CHECK(run.exit_code == 0);
         CHECK(run.err.empty());
       }
