@@ -28,7 +28,8 @@ namespace {
 
 using namespace elsie;
 
-constexpr int kDecisions = 5000;
+constexpr int kDecisions = 20000;
+constexpr int kFirst = 2000;  // decisions that are not measured
 constexpr const char* kReference = "arbiter_subsumption";
 
 /// What a robot with two beams and a camera perceives; the time goes on.
@@ -113,18 +114,25 @@ class Robot final : private Member::Runner {
   };
 
   Cost cost() {
-    long asked = 0;
+    decide(kFirst);
     const std::clock_t start = std::clock();
-    for (int i = 0; i < kDecisions; ++i) {
-      for (Member& member : members_) member.begin_step();
-      coordinator_->coordinate(members_, now_.next());
-      for (const Member& member : members_) asked += member.trace.asked ? 1 : 0;
-    }
+    const long asked = decide(kDecisions);
     const auto ticks = static_cast<double>(std::clock() - start);
     return {1e9 * ticks / CLOCKS_PER_SEC / kDecisions, static_cast<double>(asked) / kDecisions};
   }
 
  private:
+  /// Returns how often behaviours were asked.
+  long decide(int times) {
+    long asked = 0;
+    for (int i = 0; i < times; ++i) {
+      for (Member& member : members_) member.begin_step();
+      coordinator_->coordinate(members_, now_.next());
+      for (const Member& member : members_) asked += member.trace.asked ? 1 : 0;
+    }
+    return asked;
+  }
+
   Ready& behind(const Member& member) {
     return behaviors_[static_cast<std::size_t>(&member - members_.data())];
   }
