@@ -131,7 +131,8 @@ class GraphSheet {
   void add_dots(Agraph_t* page) {
     std::vector<bool> has_one(graph_.nodes.size() + 1);
     for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
-      const auto around = static_cast<std::size_t>(graph_.nodes[i].within + 1);
+      const int within = graph_.nodes[i].within;
+      const std::size_t around = within < 0 ? 0 : static_cast<std::size_t>(within) + 1;
       if (has_one[around]) continue;
       has_one[around] = true;
       Agraph_t* const sheet = around == 0 ? page : frames_[around - 1];

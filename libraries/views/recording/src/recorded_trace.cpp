@@ -245,8 +245,9 @@ class TraceBuilder final : public Visitor {
 
   static void read_lights(TraceRobot& robot, const Json& message, double time_s) {
     const Json& all = message.at("graphs");
-    if (all.size() > robot.graphs.size())
+    if (all.size() > robot.graphs.size()) {
       throw Unexpected("it is about more graphs than there are");
+    }
     auto graph = robot.graphs.end() - static_cast<std::ptrdiff_t>(all.size());  // the last ones
     for (const Json& lights : all) {
       graph->lights.push_back({time_s, lights_of(lights, graph->graph.nodes.size())});
