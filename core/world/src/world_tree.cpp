@@ -73,11 +73,11 @@ std::string WorldTree::path(std::size_t meaning) const {
   const Meaning& own = meanings_[meaning];
   if (meaning == 0) return "";
   const std::string outer = path(own.holder);
-  const ElementSpec& around = *meanings_[own.holder].spec;
+  const ElementSpec* const around = meanings_[own.holder].spec;  // null: of a plugin
   if (own.spec && own.spec->group) return outer;
   const std::string& step = !own.spec ? plugin::element_at(own.use->elements, own.nested).element
-                            : around.group ? around.members
-                                           : own.spec->name;
+                            : around->group ? around->members
+                                            : own.spec->name;
   const bool is_only = own.spec && own.spec->at_most <= 1;
   const std::string key = is_only           ? ""
                           : own.number == 0 ? id_of(*own.spec, own.described.object)

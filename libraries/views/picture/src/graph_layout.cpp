@@ -261,7 +261,7 @@ GraphLayout lay_out(const std::vector<NamedGraph>& graphs) {
   layout.width = all.UR.x;
   layout.height = all.UR.y;
   for (const GraphSheet& sheet : sheets) sheet.read(layout);
-  gvFreeLayout(context, page.get());
+  // No gvFreeLayout(): with edges into frames Graphviz 2.42 frees something twice there.
   part_arrows(layout);
   free_labels(layout);
   return layout;
