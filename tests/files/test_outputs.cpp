@@ -77,6 +77,9 @@ TEST_CASE("A file of another kind is not overwritten") {
                     Catch::Contains("already exists and is not a table"));
   CHECK_THROWS_WITH(require(folder.file("no/new.csv")), Catch::Contains("there is no folder"));
   CHECK_THROWS_WITH(require(folder.path().string()), Catch::Contains("it is a directory"));
+  fs::create_symlink("no/new.csv", folder / "lost.csv");
+  CHECK_THROWS_WITH(require(folder.file("lost.csv")), Catch::Contains("there is no folder"));
+  CHECK_THROWS_WITH(require(folder.file(std::string(300, 'a'))), Catch::Contains("is too long"));
 }
 
 TEST_CASE("Two scratch folders in one place do not collide, and leave nothing behind") {

@@ -51,7 +51,7 @@ TEST_CASE("train learns values from rewards, and with them a run reaches its goa
   REQUIRE(trained.exit_code == 0);
   CHECK_THAT(trained.out,
              Catch::StartsWith("r1, arbiter_learning: food; 30 episodes from seed 3, in ") &&
-                 Catch::Contains("the last 3: mean reward 1, success in 3\n") &&
+                 Catch::Contains("the last 3: mean reward 1, success in 3 of 3\n") &&
                  Catch::EndsWith("\nvalues: learned\n"));
   CHECK_THAT(here.read("learned"),
              Catch::StartsWith("elsie values 1\nabout method q\nabout behaviors west east\n"
@@ -130,7 +130,9 @@ TEST_CASE("Where no reward ever comes, the values stay 0, and train says so") {
   here.write("small.xml", small_world("", "<reward of='0 * collected'/>"));
   const auto run = here.elsie("train small.xml --robot r1 --episodes 2 --values w");
   CHECK(run.exit_code == 1);
-  CHECK_THAT(run.out, Catch::Contains("It is untrained: there was no reward"));
+  CHECK_THAT(run.out,
+             Catch::Contains("It is untrained: all values are 0. In no episode was there a "
+                             "reward of "));
   CHECK_THAT(here.read("w"), Catch::EndsWith("end\n"));
 }
 

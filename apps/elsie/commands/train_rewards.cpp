@@ -207,7 +207,7 @@ std::string training_header(const RewardTraining& training) {
          base::counted(training.planned, "episode") + " from seed " + std::to_string(training.seed);
 }
 
-/// "the first 20: mean reward -3.2, success in 2".
+/// "the first 20: mean reward -3.2, success in 2 of 20".
 std::string mean_text(const std::string& name, std::span<const Episode> episodes) {
   double sum = 0.0;
   std::size_t reached = 0;
@@ -215,9 +215,10 @@ std::string mean_text(const std::string& name, std::span<const Episode> episodes
     sum += each.reward();
     reached += each.outcome == Outcome::success ? 1 : 0;
   }
-  return name + " " + std::to_string(episodes.size()) + ": mean reward " +
+  const std::string count = std::to_string(episodes.size());
+  return name + " " + count + ": mean reward " +
          base::number_text(sum / static_cast<double>(episodes.size()), 4) + ", success in " +
-         std::to_string(reached);
+         std::to_string(reached) + " of " + count;
 }
 
 std::vector<std::string> means(const RewardTraining& training) {
@@ -246,13 +247,33 @@ bool is_untrained(const RewardTraining& training) {
   return unseen_states(training.values, states_of(training)) == states_of(training);
 }
 
+/// The rewards that were 0 in every episode: their ids.
+std::vector<std::string> absent_rewards(const RewardTraining& training) {
+  std::vector<std::string> absent;
+  for (std::size_t i = 0; i < training.rewards.size(); ++i) {
+    const bool is_absent =
+        std::all_of(training.episodes.begin(), training.episodes.end(),
+                    [&](const Episode& episode) { return episode.rewards[i] == 0.0; });
+    if (is_absent) absent.push_back(training.rewards[i]);
+  }
+  return absent;
+}
+
 /// What is to be said of the values; "" if nothing.
 std::string warning_of(const RewardTraining& training) {
-  if (is_untrained(training)) return "It is untrained: there was no reward, and all values are 0.";
+  std::string text;
   const std::size_t unseen = unseen_states(training.values, states_of(training));
-  if (unseen == 0) return "";
-  return "In " + std::to_string(unseen) + " of " + base::counted(states_of(training), "state") +
-         " nothing was learned: they did not occur, or had no reward.";
+  if (is_untrained(training)) {
+    text = "It is untrained: all values are 0.";
+  } else if (unseen > 0) {
+    text = "In " + std::to_string(unseen) + " of " + base::counted(states_of(training), "state") +
+           " nothing was learned: they did not occur, or had no reward.";
+  }
+  if (const auto absent = absent_rewards(training); !absent.empty()) {
+    text += std::string(text.empty() ? "" : " ") + "In no episode was there a reward of " +
+            base::joined(absent) + ".";
+  }
+  return text;
 }
 
 void print_training(const RewardTraining& training, double seconds, const TrainOptions& options) {

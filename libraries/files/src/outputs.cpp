@@ -46,11 +46,13 @@ void require_writable(const fs::path& file, const std::string& named_by) {
     throw base::BadInput(what +
                          (file.empty() ? "the name of a file is missing" : "it is a directory"));
   }
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  const fs::path end = end_of_links(file);
+  const fs::path folder = end.has_parent_path() ? end.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error)) {
     throw base::BadInput(what + "there is no folder '" + folder.string() + "'; make it first");
   }
   const bool exists = fs::exists(file, error);
+  if (error == std::errc::filename_too_long) throw base::BadInput(what + "its name is too long");
   if (access(exists ? file.c_str() : folder.c_str(), W_OK) != 0) {
     throw base::BadInput(what + "permission denied");
   }

@@ -1,4 +1,4 @@
-// Room for what Graphviz packs too closely to be told apart.
+// Moves arrows and labels apart that Graphviz puts too close together.
 #pragma once
 
 #include "elsie/picture/graph_picture.h"
