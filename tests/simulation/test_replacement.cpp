@@ -1,144 +1,23 @@
 // Plugins that are replaced while a world runs.
-#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <optional>
-#include <span>
-#include <stdexcept>
 #include <string>
 
 #include <catch2/catch.hpp>
 #include <malloc.h>
 
-#include "elsie/api/coordinator.h"
-#include "elsie/api/remember.h"
 #include "elsie/plugin/abi_word.h"
 #include "elsie/recording/csv_recorder.h"
 
-#include "versions.h"
-#include "wheels.h"
-#include "world_builder.h"
+#include "replacement_stage.h"
 
 using namespace elsie;
 using namespace elsie::test;
 using Catch::Contains;
-using elsie::test::rates;
-using simulation::Replacement;
-using simulation::ReplacementRefused;
-using simulation::Simulation;
 
 namespace {
-
-/// A robot with one behaviour, and a coordinator of the library.
-world::Robot numbered_robot(const std::string& id, double y, const world::BehaviorUse& use) {
-  world::Robot made = robot(id, 0.0, y, 0.0, use);
-  made.coordinator->plugin = made.coordinator->id = "numbered_first";
-  return made;
-}
-
-/// Commands the number "version" of its first member, and how often it was asked.
-class Watcher final : public Coordinator, public Remembers {
- public:
-  bool strict = false;  // otherwise "number" will do, too
-
-  void equipped(std::span<const Member> members, const Perception&) override {
-    const auto all = members[0].published();
-    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) {
-      return one.name == "version" || (!strict && one.name == "number");
-    });
-    if (found == all.end()) throw std::invalid_argument("its member publishes no 'version'");
-    version_ = static_cast<std::size_t>(found - all.begin());
-    asked_ = 0;
-  }
-  Motion coordinate(std::span<Member> members, const Perception&) override {
-    members[0].respond();
-    return WheelPair().motion(
-        {0.01 * members[0].published(version_), 0.01 * static_cast<double>(++asked_)});
-  }
-  void remember(Memory& memory) override { memory("asked", asked_); }
-
- private:
-  std::size_t version_ = 0;
-  std::int64_t asked_ = 0;
-};
-
-class Holds final : public Behavior {
- public:
-  Coordination* inside = nullptr;
-  Response respond(const Perception& now) override { return inside->respond(now); }
-};
-
-/// Commands the place of "level" among the fields of the first reading.
-class Looks final : public Behavior {
- public:
-  void equipped(const Perception& example) override {
-    const auto& fields = example.all_readings()[0].declaration->fields;
-    place_ = 0.0;
-    while (fields[static_cast<std::size_t>(place_)].name != "level") place_ += 1.0;
-  }
-  Response respond(const Perception&) override { return WheelPair().motion({place_, place_}); }
-
- private:
-  double place_ = 0.0;
-};
-
-/// A world of version 1, and what the next versions make of it.
-class Stage {
- public:
-  explicit Stage(const world::BehaviorUse& use = behavior("numbered")) {
-    world.robots.push_back(numbered_robot("r1", 0.0, use));
-    versions.write(1);
-  }
-
-  Simulation& start() {
-    plugin::Host made = versions.host();
-    // These stay, whatever becomes of the library.
-    made.add(declare<Watcher>(PluginKind::coordinator, "watcher", "Commands a published number",
-                              parameter("strict", &Watcher::strict)));
-    made.add(
-        declare<Holds>(PluginKind::behavior, "holds", "Holds", holds_behaviors(&Holds::inside)));
-    made.add(declare<Looks>(PluginKind::behavior, "looks", "Commands the place of a field"));
-    host = std::make_shared<const plugin::Host>(std::move(made));
-    simulation.emplace(world, *host);
-    return *simulation;
-  }
-  /// The file takes over, or what it throws leaves the old plugins.
-  Replacement replace() {
-    auto next = std::make_shared<const plugin::Host>(versions.renewed(*host));
-    const Replacement replacement = simulation->replace_plugins(*next);
-    host = std::move(next);
-    return replacement;
-  }
-  Replacement replace(int number, char mode = '-') {
-    versions.write(number, mode);
-    return replace();
-  }
-  std::string refusal(int number, char mode) {
-    try {
-      replace(number, mode);
-    } catch (const ReplacementRefused& refused) {
-      return refused.what();
-    }
-    return "it was taken";
-  }
-  /// A sensor of the library on each robot.
-  void add_levels() {
-    for (world::Robot& robot : world.robots) {
-      world::MountedUse& level = robot.sensors.emplace_back();
-      level.plugin = level.id = "level";
-    }
-  }
-  WheelRates step() {
-    simulation->step();
-    return rates(simulation->robot(0).command);
-  }
-
-  Versions versions;
-  world::World world;
-  std::shared_ptr<const plugin::Host> host;
-  std::optional<Simulation> simulation;
-};
 
 /// The world after so many steps, as one number.
 std::uint64_t run(Stage& stage, int steps) {
@@ -312,84 +191,6 @@ TEST_CASE("A version that cannot be used leaves the old one in place, on all rob
   // And it is not in the way of a good one.
   stage.replace(11);
   CHECK(stage.step().left == Approx(0.22));
-}
-
-TEST_CASE("Coordinators that stay find published numbers where the new version has them") {
-  auto holds = behavior("holds");
-  auto& inside = holds.inside.emplace_back();
-  inside.behaviors.push_back(behavior("numbered"));
-  inside.coordinator.emplace();
-  inside.coordinator->plugin = inside.coordinator->id = "watcher";
-  Stage stage(holds);
-  stage.world.robots.push_back(numbered_robot("r2", 2.0, behavior("numbered")));
-  stage.world.robots[1].coordinator->plugin = "watcher";
-  stage.world.robots[1].coordinator->parameters["strict"] = true;
-  stage.start();
-  const auto both = [&](double version, double asked) {
-    stage.step();
-    for (std::size_t i = 0; i < 2; ++i) {
-      CAPTURE(i);
-      const WheelRates rates = elsie::test::rates(stage.simulation->robot(i).command);
-      CHECK(rates.left == Approx(0.01 * version));
-      CHECK(rates.right == Approx(0.01 * asked));
-    }
-  };
-  both(1, 1);
-  const Replacement replacement = stage.replace(2, 'p');
-  CHECK(replacement.objects.size() == 3);  // behaviours, and the coordinator around that of r1
-  both(2, 2);
-
-  // Of two that stay, the second does not find its number: the replacement is refused, and the
-  // first one finds it where it was.
-  CHECK_THAT(stage.refusal(3, 'u'),
-             Contains("robot 'r2', coordinator: its member publishes no 'version'"));
-  both(2, 3);
-  stage.replace(4);
-  both(4, 4);
-}
-
-TEST_CASE("What is under way when its library is replaced is heard, and then the library goes") {
-  // With latency, commands wait in the horn, too.
-  const bool is_late = GENERATE(false, true);
-  CAPTURE(is_late);
-  Stage stage(behavior("talker"));
-  stage.world.robots[0].coordinator.reset();
-  stage.world.robots.push_back(numbered_robot("r2", 2.0, behavior("numbered")));
-  for (world::Robot& robot : stage.world.robots) {
-    world::MountedUse& horn = robot.actuators.emplace_back();
-    horn.plugin = horn.id = "horn";
-    if (is_late) horn.elements.push_back({"failure", {{"latency", 0.03}}, {}, {}, {}});
-  }
-  Simulation& simulation = stage.start();
-  const auto listen = [&](int steps) {
-    std::vector<double> heard;
-    for (int i = 0; i < steps; ++i) {
-      simulation.step();
-      for (const HeardMessage& each : simulation.heard(1)) {
-        each.message->visit_fields(
-            [&](const ReadingField& field) { heard.push_back(field.number(0)); });
-      }
-    }
-    return heard;
-  };
-  CHECK(listen(2).empty());
-  stage.replace(2);
-  CHECK(Versions::loaded() == 2);
-  CHECK(listen(12) == std::vector<double>{-1.0, 1.0});
-  CHECK(Versions::loaded() == 1);
-  simulation.reset();
-  CHECK(listen(12) == std::vector<double>{-2.0, 2.0});
-}
-
-TEST_CASE("Behaviours that stay are equipped again when a sensor is replaced") {
-  Stage stage(behavior("looks"));
-  stage.add_levels();
-  stage.start();
-  CHECK(stage.step().left == Approx(0.0));
-  stage.replace(2, 'v');
-  CHECK(stage.step().left == Approx(1.0));
-  CHECK_THAT(stage.refusal(3, 'k'), Contains("makes readings of the kind 'other' now"));
-  CHECK(stage.step().left == Approx(1.0));
 }
 
 TEST_CASE("A file that is no library for this program, or gone, leaves the old one in place") {
