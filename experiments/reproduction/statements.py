@@ -193,8 +193,8 @@ def away(study, compared):
     more, low, high, _ = (100 * value for value in all_together["0.1 m too far"]["success"])
     yield Claim(COORDINATORS, "beams that see everything 0.1 m too far let them succeed in {:.0f} ({:.0f} to {:.0f}) % more of the runs.", more, low, high,
                 holds=[level for level, effects in all_together.items() if comparison.is_apart(effects["success"])] == ["0.1 m too far"])
-    yield Claim(COORDINATORS, "The engine changes {:.0f} ({:.0f} to {:.0f}) %,", *(100 * value for value in all_together["planar"]["success"][:3]))
-    yield Claim(COORDINATORS, "10 % noise {:.0f} ({:.0f} to {:.0f}) %.", *(100 * value for value in all_together["10 %"]["success"][:3]))
+    yield Claim(COORDINATORS, "The other engine changes the rate of success by {:.0f} ({:.0f} to {:.0f}) %,", *(100 * value for value in all_together["planar"]["success"][:3]))
+    yield Claim(COORDINATORS, "10 % noise by {:.0f} ({:.0f} to {:.0f}) %.", *(100 * value for value in all_together["10 %"]["success"][:3]))
     yield Claim(COORDINATORS, "Readings that are 0.3 s late cost time", holds=comparison.is_apart(all_together["0.3 s late"]["time_s"]) and all_together["0.3 s late"]["time_s"][0] > 0)
 
 
