@@ -86,7 +86,7 @@ TEST_CASE("The report tells what was found in each file") {
   CHECK(good.plugins[2].version == "2.5");
   const FileReport notes = report_of(host, "notes.txt");
   CHECK(notes.status == FileStatus::ignored);
-  CHECK(notes.sentence == "its name does not end in .so");
+  CHECK(notes.sentence == "its name ends in neither .so nor .py");
 }
 
 TEST_CASE("A search path may name one library, and then no other of its folder is loaded") {

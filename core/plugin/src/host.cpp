@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -21,6 +22,7 @@
 #include "elsie/plugin/file_fingerprint.h"
 #include "elsie/plugin/inspection.h"
 #include "elsie/plugin/kind_name.h"
+#include "elsie/plugin/script.h"
 
 #include "library.h"
 #include "text.h"
@@ -92,6 +94,7 @@ struct Host::State {
   std::string list(const SearchDirectory& directory, std::vector<fs::path>& files);
   FileReport examine(const fs::path& file);
   void load(FileReport& file);
+  bool inspect(FileReport& file) const;
   std::optional<LoadedFile> load_anew(FileReport& file);
   LoadedFiles former() const;
   void keep(const LoadedFiles::value_type& old, FileReport& file);
@@ -106,7 +109,7 @@ std::string Host::State::list(const SearchDirectory& directory, std::vector<fs::
     return errno == ENOENT ? "does not exist"
                            : "cannot be read: " + std::generic_category().message(errno);
   }
-  if (S_ISREG(status.st_mode) && directory.path.extension() == ".so") {
+  if (S_ISREG(status.st_mode) && may_hold_plugins(directory.path)) {
     files.push_back(directory.path);
     return "";
   }
@@ -152,7 +155,7 @@ void Host::State::search(std::vector<SearchDirectory> all) {
     if (!directory.source.empty()) {
       sources.insert_or_assign(directory.path, directory.source);
     }
-    const bool is_library = directory.path.extension() == ".so";  // a new path for each build
+    const bool is_library = may_hold_plugins(directory.path);  // a new path for each build
     LoadedFiles former = this->former();
     DirectoryReport found{std::move(directory), "", {}};
     std::vector<fs::path> files;
@@ -178,8 +181,8 @@ void Host::State::search(std::vector<SearchDirectory> all) {
 FileReport Host::State::examine(const fs::path& path) {
   FileReport file;
   file.path = path;
-  if (path.extension() != ".so") {
-    file.sentence = "its name does not end in .so";
+  if (!may_hold_plugins(path)) {
+    file.sentence = "its name ends in neither .so nor .py";
     return file;
   }
   struct stat status {};
@@ -211,25 +214,51 @@ void Host::State::load(FileReport& file) {
   }
 }
 
-/// Loads a file. Returns none when it cannot be used, with the reason in `file`.
-std::optional<LoadedFile> Host::State::load_anew(FileReport& file) {
-  LoadedFile found;
-  // Taken before the file is read, so that later writes change the fingerprint.
-  found.fingerprint = fingerprint_of(file.path).value_or(Fingerprint());
+/// Whether a file is to be loaded; otherwise `file` says why not.
+bool Host::State::inspect(FileReport& file) const {
+  if (is_script(file.path)) {
+    file.abi_word = host_abi_word();
+    try {
+      if (declares_plugins(file.path)) return true;
+      file.sentence = "no class of it derives from elsie.Behavior or another plugin of Elsie";
+    } catch (const std::exception& error) {
+      file.status = FileStatus::refused;
+      file.sentence = error.what();
+    }
+    return false;
+  }
   Inspection inspection = inspect_file(file.path);
   file.abi_word = std::move(inspection.abi_word);
   if (inspection.kind != FileKind::plugin_library) {
     file.status = inspection.kind == FileKind::other ? FileStatus::ignored : FileStatus::refused;
     file.sentence = std::move(inspection.sentence);
-    return std::nullopt;
+    return false;
   }
-  file.status = FileStatus::refused;
   if (auto mismatch = abi_mismatch(host_abi_word(), file.abi_word)) {
+    file.status = FileStatus::refused;
     file.sentence = std::move(*mismatch);
+    return false;
+  }
+  return true;
+}
+
+/// Loads a file. Returns none when it cannot be used, with the reason in `file`.
+std::optional<LoadedFile> Host::State::load_anew(FileReport& file) {
+  LoadedFile found;
+  // Taken before the file is read, so that later writes change the fingerprint.
+  found.fingerprint = fingerprint_of(file.path).value_or(Fingerprint());
+  if (!inspect(file)) return std::nullopt;
+  file.status = FileStatus::refused;
+  LoadedLibrary library =
+      is_script(file.path)
+          ? load_script(file.path)
+          : load_library(file.path, known_as(file.path).string(), file.abi_word, copy);
+  if (!library.missing.empty()) {
+    file.status = FileStatus::ignored;
+    file.sentence = "is written in Python, and " + library.missing;
+    report.warnings.push_back(file.path.string() + ": " + file.sentence + "; it is left out");
     return std::nullopt;
   }
-  LoadedLibrary library =
-      load_library(file.path, known_as(file.path).string(), file.abi_word, copy);
   if (!library.warning.empty()) {
     report.warnings.push_back(known_as(file.path).string() + ": " + library.warning);
   }

@@ -30,11 +30,12 @@ struct Library::System {
   boost::dll::shared_library library;
 };
 
-Library::Library(std::unique_ptr<System> system, std::string file,
-                 std::shared_ptr<const std::filesystem::path> copy)
-    : copy_(std::move(copy)), system_(std::move(system)), file_(std::move(file)) {
+Library::Library(std::unique_ptr<System> system, std::string file, std::shared_ptr<const void> kept)
+    : kept_(std::move(kept)), system_(std::move(system)), file_(std::move(file)) {
   tell_loaded(dlsym(system_->library.native(), ELSIE_PLUGIN_ENTRY), file_.c_str());
 }
+Library::Library(std::string file, std::shared_ptr<const void> kept)
+    : kept_(std::move(kept)), file_(std::move(file)) {}
 Library::~Library() {
   Call call({.library = file_.c_str(), .doing = "while it was unloaded"});
   call.start_clock();

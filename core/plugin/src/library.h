@@ -18,8 +18,10 @@ class Library {
  public:
   struct System;  // the library in Boost.DLL
 
-  Library(std::unique_ptr<System> system, std::string file,
-          std::shared_ptr<const std::filesystem::path> copy);
+  /// `kept`: its private copy, or null; released last.
+  Library(std::unique_ptr<System> system, std::string file, std::shared_ptr<const void> kept);
+  /// A script; `kept`: its classes.
+  Library(std::string file, std::shared_ptr<const void> kept);
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;
   ~Library();
@@ -28,7 +30,7 @@ class Library {
   const std::string& file() const { return file_; }
 
  private:
-  std::shared_ptr<const std::filesystem::path> copy_;  // destroyed after the loaded library
+  std::shared_ptr<const void> kept_;
   std::unique_ptr<System> system_;
   std::string file_;
 };
@@ -40,6 +42,7 @@ struct LoadedLibrary {
   std::vector<Declaration> declarations;
   std::string problem;  // a sentence if it was refused; then it is not loaded any more
   std::string warning;  // a sentence on a side effect of loading it; or ""
+  std::string missing;  // of a script: a sentence, if there is no interpreter
 };
 
 /// Loads a file that was inspected and found to be a plugin library with this ABI word, and has it
@@ -47,5 +50,11 @@ struct LoadedLibrary {
 /// to load, or empty. Never throws because of the library; a library can still crash the process.
 LoadedLibrary load_library(const std::filesystem::path& file, const std::string& known_as,
                            std::string_view abi_word, const MakeCopy& make_copy);
+
+/// Whether a script has a class that is a plugin, by its text. Throws std::runtime_error when it
+/// cannot be read.
+bool declares_plugins(const std::filesystem::path& script);
+/// Runs a script and has its plugins declared. Never throws because of the script.
+LoadedLibrary load_script(const std::filesystem::path& file);
 
 }  // namespace elsie::plugin

@@ -332,6 +332,9 @@ std::vector<LitGraph> Simulation::graphs(std::size_t robot) const {
 Component& Simulation::object(std::size_t robot, const world::PluginUse& use) {
   return impl_->robots_[robot]->object(use);
 }
+void Simulation::set_priority(std::size_t robot, std::size_t behavior, double priority) {
+  impl_->robots_[robot]->set_priority(behavior, priority);
+}
 std::vector<MadeInference> Simulation::inferences(std::size_t robot) const {
   return impl_->robots_[robot]->inferences();
 }

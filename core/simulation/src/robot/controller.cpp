@@ -127,17 +127,29 @@ void Controller::begin_run() {
   command_ = {};
 }
 
+void Controller::give(Member& member, double priority) {
+  if (member.priority() == priority) return;
+  Member changed(member.name(), priority, *this);
+  changed.trace = member.trace;
+  member = std::move(changed);
+}
+
 void Controller::take_priorities() {
-  Member::Runner& runner = *this;
   for (std::size_t i = 0; i < slots_.size(); ++i) {
-    const double priority = use_of(*slots_[i]).priority;
-    if (members_[i].priority() != priority) {
-      Member changed(members_[i].name(), priority, runner);
-      changed.trace = members_[i].trace;
-      members_[i] = std::move(changed);
-    }
+    give(members_[i], use_of(*slots_[i]).priority);
     if (slots_[i]->inside) slots_[i]->inside->take_priorities();
   }
+}
+
+bool Controller::set_priority(std::size_t& index, double priority) {
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    if (index-- == 0) {
+      give(members_[i], priority);
+      return true;
+    }
+    if (slots_[i]->inside && slots_[i]->inside->set_priority(index, priority)) return true;
+  }
+  return false;
 }
 
 void Controller::begin_step() {

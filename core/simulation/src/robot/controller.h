@@ -30,9 +30,10 @@ class RobotRequests {
  public:
   virtual void raise(const Event& event) = 0;
   virtual void ask_for_charge() = 0;
-  /// The index of the actuator that the robot has for this act. Throws std::invalid_argument or
-  /// base::Error with a sentence when it has none, or the command does not fit it.
-  virtual std::size_t actuator_for(const Act& act) const = 0;
+  /// The index of the actuator that the robot has for this act, whose command is made if it is
+  /// given by numbers. Throws std::invalid_argument or base::Error with a sentence when it has
+  /// none, or the command does not fit it.
+  virtual std::size_t actuator_for(Act& act) const = 0;
   /// The actuator's id.
   virtual std::string_view actuator(std::size_t index) const = 0;
 
@@ -85,6 +86,9 @@ class Controller final : public Coordination, private Member::Runner {
 
   /// Takes a copy of its description with the same objects in it.
   void describe(const world::Coordination& next);
+  /// Sets the priority of a behaviour by its index in list_members(), of which those counted are
+  /// taken off; returns whether it is here.
+  bool set_priority(std::size_t& index, double priority);
   /// Takes the priorities of the description, at any depth. The trace of the last decision stays.
   void take_priorities();
 
@@ -152,6 +156,7 @@ class Controller final : public Coordination, private Member::Runner {
   }
   double published(const Member& member, std::size_t number) const override;
 
+  void give(Member& member, double priority);
   Slot& slot_of(const Member& member) const {
     return *slots_[static_cast<std::size_t>(&member - members_.data())];
   }

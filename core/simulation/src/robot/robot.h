@@ -128,6 +128,10 @@ class Robot final : private RobotRequests {
   void set_max_speed(double max_speed);
   /// Units, at most the battery's capacity; at 0 the robot stops.
   void set_energy(double units);
+  /// See Simulation::set_priority().
+  void set_priority(std::size_t behavior, double priority) {
+    controller_->set_priority(behavior, priority);
+  }
   /// Takes over attributes of the description that can be changed in place.
   void take_live(bool has_new_drive, bool has_new_energy);
   /// Visits all its plugin objects: sensors, actuators, the drive, the localisation, then
@@ -356,7 +360,7 @@ class Robot final : private RobotRequests {
     raised_.emplace_back(events::Raised{std::string(event.name)});
   }
   void ask_for_charge() override { charge_asked_ = true; }
-  std::size_t actuator_for(const Act& act) const override;
+  std::size_t actuator_for(Act& act) const override;
   Frame frame_of(const SensorPlace& place) const { return frame_below(place).frame(place.frame); }
   template <class Slot>
   static void fit_disturbances(const Slot& slot, Disturbable& object, const char* list,

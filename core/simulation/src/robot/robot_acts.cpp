@@ -15,9 +15,40 @@
 
 namespace elsie::simulation {
 
-std::size_t Robot::actuator_for(const Act& act) const {
+namespace {
+
+/// The command that an act gives by its numbers.
+Act made(const Act& act, const Disturbable& actuator) {
+  const std::shared_ptr<void> command = actuator.new_value();
+  for (const auto& [name, number] : act.numbers()) {
+    bool is_set = false;
+    std::vector<std::string> names;
+    actuator.visit_fields(command.get(), [&](const ReadingField& field) {
+      for (std::size_t i = 0; field.is_stored && field.is_number() && i < field.count; ++i) {
+        names.push_back("'" + field.column(i) + "'");
+        if (field.column(i) != name) continue;
+        field.set_number(i, number);
+        is_set = true;
+      }
+    });
+    if (!is_set) {
+      throw base::Error("it gives a command with the number '" + name + "' to an actuator that " +
+                        "takes commands of '" + actuator.kind().name + "', which have " +
+                        (names.empty() ? "no numbers" : base::joined(names)));
+    }
+  }
+  return {act.actuator(), actuator.kind(), command};
+}
+
+}  // namespace
+
+std::size_t Robot::actuator_for(Act& act) const {
   const auto names_it = [&](const auto& slot) { return act.actuator() == slot->use->id; };
-  const auto takes_it = [&](const auto& slot) { return slot->object().kind() == act.kind(); };
+  const auto takes_it = [&](const auto& slot) {
+    const ReadingKind kind = slot->object().kind();
+    return act.command() ? kind == act.kind()
+                         : *act.kind().name == '\0' || kind.has_name_of(act.kind());
+  };
   const auto found = act.actuator().empty()
                          ? std::find_if(actuators_.begin(), actuators_.end(), takes_it)
                          : std::find_if(actuators_.begin(), actuators_.end(), names_it);
@@ -36,6 +67,7 @@ std::size_t Robot::actuator_for(const Act& act) const {
                       (*found)->object().kind().name +
                       "'; if the names are equal, build both plugins with the same header");
   }
+  if (!act.command()) act = made(act, (*found)->object());
   (*found)->object().check_command(act.command());
   if (act.kind() == ReadingKind::of<SayCommand>()) {
     const auto& said = *static_cast<const SayCommand*>(act.command());

@@ -36,6 +36,9 @@
 
 namespace elsie {
 
+/// Numbers of a command by the names that its visit() lists: {"red", 1.0}, {"angles.2", 0.5}.
+using NamedNumbers = std::vector<std::pair<std::string, double>>;
+
 /// A command to an actuator of the own robot; see actuator.h.
 class Act {
  public:
@@ -44,12 +47,23 @@ class Act {
       : actuator_(std::move(actuator)),
         kind_(ReadingKind::of<Command>()),
         command_(std::make_shared<const Command>(std::move(command))) {}
+  /// The same for who does not know the struct: a blank command of this kind, or of whatever kind
+  /// the actuator takes if that is empty, with these numbers. The simulator makes it.
+  Act(std::string actuator, std::string kind, NamedNumbers numbers)
+      : actuator_(std::move(actuator)),
+        named_(std::make_shared<const Named>(Named{std::move(kind), std::move(numbers)})) {
+    kind_.name = named_->kind.c_str();
+  }
+  /// A command for this actuator, made by the simulator.
+  Act(std::string actuator, const ReadingKind& kind, std::shared_ptr<const void> command)
+      : actuator_(std::move(actuator)), kind_(kind), command_(std::move(command)) {}
 
   /// The actuator's id in the world file; empty: the first that takes such commands.
   const std::string& actuator() const { return actuator_; }
   const ReadingKind& kind() const { return kind_; }
-  /// The struct of the command.
+  /// The struct of the command; null: it is given by its numbers().
   const void* command() const { return command_.get(); }
+  const NamedNumbers& numbers() const { return named_->numbers; }
   /// The ids of the behaviours that hold the one that gave it, and its own: "forage/grip". The
   /// simulator sets it.
   const std::string& by() const { return by_; }
@@ -61,9 +75,15 @@ class Act {
   }
 
  private:
+  struct Named {
+    std::string kind;
+    NamedNumbers numbers;
+  };
+
   std::string actuator_;
   ReadingKind kind_;
   std::shared_ptr<const void> command_;
+  std::shared_ptr<const Named> named_{};
   std::string by_{};
 };
 

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -52,6 +53,12 @@ class AnyMessage {
     }
   }
 
+  /// The same for content whose struct is made at run time, out of numbers. The name of the kind
+  /// lives as long as the content.
+  AnyMessage(const ReadingKind& kind, std::shared_ptr<const void> content,
+             std::function<void(const void*, const FieldVisit&)> visit)
+      : kind_(kind), content_(std::move(content)), visit_(std::move(visit)) {}
+
   const ReadingKind& kind() const { return kind_; }
   const void* content() const { return content_.get(); }
   /// Its size on the air: that of the struct.
@@ -61,7 +68,7 @@ class AnyMessage {
  private:
   ReadingKind kind_;
   std::shared_ptr<const void> content_;
-  void (*visit_)(const void*, const FieldVisit&);
+  std::function<void(const void*, const FieldVisit&)> visit_;
 };
 
 /// The command of actuators that send messages.

@@ -1,0 +1,80 @@
+#include "elsie/plugin/script.h"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "elsie/base/read_whole.h"
+#include "elsie/base/thrown.h"
+#include "elsie/plugin/call.h"
+#include "elsie/plugin/engine_libraries.h"
+
+#include "library.h"
+
+namespace elsie::plugin {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uintmax_t kMostBytes = 4'000'000;
+/// The classes of the package `elsie` that plugins derive from.
+constexpr std::string_view kBases[] = {"Behavior", "Coordinator", "Sensor",
+                                       "Measure",  "Rule",        "Actuator"};
+
+/// "class Orbit(elsie.Behavior):"
+bool declares(std::string_view line) {
+  const std::size_t bases = line.find('(');
+  return line.starts_with("class ") && bases != std::string_view::npos &&
+         std::any_of(std::begin(kBases), std::end(kBases), [&](std::string_view base) {
+           return line.find(base, bases) != std::string_view::npos;
+         });
+}
+
+}  // namespace
+
+bool is_script(const fs::path& file) { return file.extension() == ".py"; }
+
+bool may_hold_plugins(const fs::path& file) { return file.extension() == ".so" || is_script(file); }
+
+bool declares_plugins(const fs::path& script) {
+  std::istringstream text(base::read_whole(script, kMostBytes));
+  bool names_elsie = false, has_class = false;
+  for (std::string line; std::getline(text, line);) {
+    names_elsie = names_elsie || line.find("elsie") != std::string::npos;
+    has_class = has_class || declares(line);
+  }
+  return names_elsie && has_class;
+}
+
+LoadedLibrary load_script(const fs::path& file) {
+  LoadedLibrary loaded;
+  const std::string name = file.string();
+  Call call({.library = name.c_str(), .doing = "while it was loaded"});
+  call.start_clock();
+  const fs::path part = part_file("python");
+  std::error_code error;
+  Script script;
+  if (!fs::exists(part, error)) {
+    loaded.missing = "this Elsie was built without Python";
+    return loaded;
+  }
+  try {
+    reinterpret_cast<LoadScript>(part_symbol("plugins in Python", part, ELSIE_LOAD_SCRIPT))(file,
+                                                                                            script);
+    loaded.library = std::make_shared<const Library>(name, std::move(script.kept));
+    loaded.declarations = std::move(script.declarations);
+    loaded.missing = std::move(script.missing);
+  } catch (...) {
+    loaded.problem = base::what_was_thrown();
+  }
+  if (const char* const changed = call.restore_arithmetic()) {
+    loaded.warning = std::string("changed ") + changed +
+                     " for the whole program when it was loaded; this was undone";
+  }
+  return loaded;
+}
+
+}  // namespace elsie::plugin
