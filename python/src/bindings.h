@@ -1,0 +1,13 @@
+// The parts of the module `_elsie`, one function for each file that binds some.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace elsie::python {
+
+namespace py = pybind11;
+
+/// Errors of Elsie become exceptions of elsie/errors.py.
+void bind_errors(py::module_& module);
+
+}  // namespace elsie::python
