@@ -5,7 +5,7 @@ ELSIE := $(BUILD)/bin/elsie
 # .ci/run alone sets WARNINGS_ARE_ERRORS: a compiler that warns of more than ours does keeps nobody from building.
 CONFIGURE := cmake --log-level=WARNING $(if $(WARNINGS_ARE_ERRORS),-DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 
-.PHONY: desktop program configure-program transcript api site install package all demo test test-quick sanitize sanitize-threads fuzz fuzz-check bench examples figures world-hashes library-table weigh mutants coverage four-resources pictures tables comparison reference format lint lint-changed dependencies configure clean
+.PHONY: desktop python program configure-program transcript api site install package all demo test test-quick sanitize sanitize-threads fuzz fuzz-check bench examples figures world-hashes library-table weigh mutants coverage four-resources pictures tables comparison reference format lint lint-changed dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -46,6 +46,14 @@ test: all
 test-quick: configure
 	cmake --build --preset $(PRESET) --target elsie_unit_tests
 	ctest --preset $(PRESET) --label-regex '^unit$$' --label-exclude '^long$$'
+
+# The module for Python, in place: docs/python.md.
+python:
+	@scripts/install-dependencies --python
+	@[ -f $(BUILD)/build.ninja ] || $(CONFIGURE) --preset $(PRESET) -DELSIE_BUILD_TESTS=OFF -DELSIE_BUILD_BENCHMARKS=OFF
+	@cmake $(BUILD) --log-level=WARNING >/dev/null
+	cmake --build --preset $(PRESET) --target elsie_python_complete
+	@echo "Now Python finds the module:  export PYTHONPATH=$(CURDIR)/$(BUILD)/lib/python3/dist-packages"
 
 # Installs the build: docs/installing.md.
 PREFIX ?= /usr/local
