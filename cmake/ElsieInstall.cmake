@@ -86,6 +86,9 @@ set(CPACK_COMPONENTS_ALL Unspecified)
 if(TARGET elsie_desktop)
   list(APPEND CPACK_COMPONENTS_ALL desktop)
 endif()
+if(TARGET elsie_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 set(CPACK_COMPONENT_UNSPECIFIED_DESCRIPTION
     "A physics-based, fixed-step simulator in which a robot is driven by several
 small behaviours that run side by side, and a coordinator that turns their
@@ -96,4 +99,17 @@ set(CPACK_COMPONENT_DESKTOP_DESCRIPTION
 networks are trained, with the simulation in a process of its own.")
 set(CPACK_DEBIAN_DESKTOP_PACKAGE_NAME elsie-desktop)
 set(CPACK_DEBIAN_DESKTOP_PACKAGE_DEPENDS "elsie (= ${PROJECT_VERSION})")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+    "Elsie from Python: worlds, simulations, results, environments for learning; and
+behaviours, coordinators and other plugins that are written in Python.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-elsie)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+if(TARGET elsie_python)
+  # The extension fits one version of Python: that of the Debian that it was built on.
+  get_property(minor GLOBAL PROPERTY ELSIE_PYTHON_MINOR)
+  math(EXPR next "${minor} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+      "elsie (= ${PROJECT_VERSION}), python3 (>= 3.${minor}), python3 (<< 3.${next}), python3-numpy, libpython3.${minor}")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-pandas")
+endif()
 include(CPack)

@@ -43,6 +43,7 @@ void add_test_plugin_command(CLI::App& program, Job& job);
 void add_train_command(CLI::App& program, Job& job);
 void add_new_command(CLI::App& program, Job& job);
 void add_build_command(CLI::App& program, Job& job);
+void add_python_command(CLI::App& program, Job& job);
 void add_manual_command(CLI::App& program, Job& job);
 void add_completion_command(CLI::App& program, Job& job);
 void add_session_command(CLI::App& program, Job& job);

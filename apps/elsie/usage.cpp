@@ -59,6 +59,7 @@ void check_words(const CLI::App& program, int argc, char** argv) {
   }
   const std::string subcommand = argv[1];
   const CLI::App& command = subcommand_of(program, subcommand);
+  if (command.get_prefix_command()) return;  // the words are for another program
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& name : option->get_lnames()) {

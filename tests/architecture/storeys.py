@@ -27,6 +27,7 @@ MAY_NEED = {
     "lib/libelsie-vision.so": {"libelsie-base", "libelsie", "libopencv_core", "libopencv_imgproc"},
     "lib/elsie/images.so": {"libelsie-base", "libelsie", "libpng16"},
     "lib/elsie/layouts.so": {"libelsie-base", "libelsie"},
+    "lib/elsie/python.so": {"libelsie-base", "libelsie"},
     "lib/elsie/engines/ode.so": {"libelsie-base", "libelsie", "libode"},
     "lib/elsie/engines/planar.so": {"libelsie-base", "libelsie"},
     "lib/elsie/elsie-commands.so": {"libelsie-base", "libelsie-files", "libelsie", "libelsie-inference", "libelsie-workshop", "libelsie-editing", "libelsie-render",
@@ -35,7 +36,7 @@ MAY_NEED = {
     "bin/elsie": {"libelsie-base", "libelsie-files", "libelsie", "libelsie-workshop", "libspdlog", "libfmt"},
     "bin/elsie-desktop": {"libelsie-base", "libelsie-files", "libelsie-inference", "libelsie-render", "libelsie-views", "libelsie-session", "libQt6Widgets", "libQt6Gui", "libQt6Core"},
 }
-OPTIONAL = {"bin/elsie-desktop"}
+OPTIONAL = {"bin/elsie-desktop", "lib/elsie/python.so"}
 PLUGINS = {"libelsie-base", "libelsie", "libelsie-inference"}
 # By plugin: the libraries of others that it may need.
 EXCEPTIONS = {name: {"libelsie-formula"} for name in ("arbiter_learning", "arbiter_spreading_activation", "arbiter_states", "arbiter_tree", "reward")}
