@@ -110,6 +110,7 @@ void ReadingDeclaration::add(const ReadingField& field, const void* fresh) {
 }
 
 bool ReadingDeclaration::fits(const ReadingDeclaration& other) const {
+  if (size == 0 || other.size == 0) return true;
   return size == other.size && (!lists_fields || !other.lists_fields || fields == other.fields);
 }
 

@@ -225,10 +225,12 @@ class Checker {
     }
   }
 
-  void check_reading(const ReadingDeclaration& reading) {
+  void check_reading(const ReadingDeclaration& reading, bool is_produced) {
     check_name("reading", reading.kind);
     const std::string subject = "reading '" + reading.kind + "' ";
-    if (reading.size == 0) return fault(subject + "has no size");
+    if (reading.size == 0 && (reading.lists_fields || is_produced)) {
+      return fault(subject + "has no size");
+    }
     static const std::array kOwn{ReadingDeclaration::of<RangeReading>(),
                                  ReadingDeclaration::of<ProximityReading>(),
                                  ReadingDeclaration::of<VisionReading>()};
@@ -253,11 +255,8 @@ class Checker {
   }
 
   void check_readings() {
-    for (const auto* readings : {&declaration_.needs, &declaration_.produces}) {
-      for (const ReadingDeclaration& reading : *readings) {
-        check_reading(reading);
-      }
-    }
+    for (const ReadingDeclaration& needed : declaration_.needs) check_reading(needed, false);
+    for (const ReadingDeclaration& made : declaration_.produces) check_reading(made, true);
     const PluginKind kind = declaration_.kind;
     const bool is_sensor = kind == PluginKind::sensor;
     const std::size_t produced = declaration_.produces.size();

@@ -255,7 +255,8 @@ void InputMaker::add_own_kinds(Situation& now, Random& random) const {
       } else {
         sensor->update(around, nullptr);
       }
-      now.sensed((*sensor)->kind(), {sensor, (*sensor)->reading()}, mounting);
+      now.sensed((*sensor)->kind(), {sensor, (*sensor)->reading()}, mounting, "",
+                 &(*maker)->produces.front());
     }
   }
 }

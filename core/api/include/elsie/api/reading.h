@@ -367,13 +367,18 @@ struct FieldDeclaration {
 /// A kind of reading that a plugin needs or produces, with the layout that it was compiled with.
 struct ReadingDeclaration {
   std::string kind;
-  std::size_t size = 0;       // bytes of the struct
+  std::size_t size = 0;       // bytes of the struct; 0: what is needed may have any layout
   bool lists_fields = false;  // it has visit()
   std::vector<FieldDeclaration> fields{};
+  /// Visits the fields of such a reading, for who does not know the struct. Empty: unknown.
+  std::function<void(const void*, const FieldVisit&)> visit{};
 
   template <class Reading>
   static ReadingDeclaration of() {
     ReadingDeclaration declared{Reading::kind, sizeof(Reading), kListsFields<Reading>, {}};
+    declared.visit = [](const void* reading, const FieldVisit& each) {
+      visit_fields(*static_cast<const Reading*>(reading), each);
+    };
     const Reading fresh{};
     visit_fields(fresh, [&](const ReadingField& field) { declared.add(field, &fresh); });
     return declared;
