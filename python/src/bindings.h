@@ -9,5 +9,7 @@ namespace py = pybind11;
 
 /// Errors of Elsie become exceptions of elsie/errors.py.
 void bind_errors(py::module_& module);
+void bind_worlds(py::module_& module);
+void bind_simulations(py::module_& module);
 
 }  // namespace elsie::python

@@ -5,4 +5,6 @@ PYBIND11_MODULE(_elsie, module) {
   using namespace elsie::python;
   module.doc() = "Elsie's libraries. Use the package `elsie`.";
   bind_errors(module);
+  bind_worlds(module);
+  bind_simulations(module);
 }

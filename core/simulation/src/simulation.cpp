@@ -1,12 +1,11 @@
 #include "elsie/simulation/simulation.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <exception>
 #include <utility>
 
 #include "elsie/base/fnv1a.h"
+#include "elsie/simulation/run.h"
 
 #include "simulation_impl.h"
 
@@ -126,75 +125,10 @@ void Simulation::step() { impl_->step(*this); }
 
 RunResult Simulation::run(std::span<Observer* const> observers, std::span<const TimedEdit> edits,
                           const std::function<void(Simulation&)>& before_control) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
-  const auto wall = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  const auto& limits = world().limits;
-  std::vector<UnmadeEdits> unmade;
-  std::vector<DueEdits> schedule = impl_->checked(with_own(world(), edits), edits, unmade);
-  for (UnmadeEdits& each : unmade) {
-    impl_->said_.notes.push_back({"", "changes", std::move(each.sentence)});
+  Run run(*this, observers, edits, before_control);
+  while (run.step()) {
   }
-  impl_->given_.assign(edits.begin(), edits.end());
-  auto next = schedule.cbegin();
-  std::uint64_t scheduled = impl_->new_schedules_;
-  double made_until_s = 0.0;
-  std::size_t watching = 0;  // observers whose started() was called; ended() follows
-  std::uint64_t heard_of = 0;
-  const auto let_observers_know = [&] {
-    for (Observer* observer : observers.first(watching)) {
-      if (impl_->renewals_ != heard_of) observer->replaced(*this);
-    }
-    heard_of = impl_->renewals_;
-  };
-  const auto edit_what_is_due = [&] {
-    if (impl_->new_schedules_ != scheduled) {  // World::edits changed
-      std::vector<UnmadeEdits> known;          // reported already
-      schedule = impl_->checked(still_to_come(world(), edits, made_until_s), edits, known);
-      next = schedule.cbegin();
-      scheduled = impl_->new_schedules_;
-    }
-    made_until_s = time_s();
-    for (; next != schedule.cend() && next->are_due(time_s(), world().physics.step); ++next) {
-      impl_->edit(*next);
-      let_observers_know();
-    }
-  };
-  std::exception_ptr failure;
-  try {
-    edit_what_is_due();
-    impl_->obey_rules();
-    for (Observer* observer : observers) {
-      observer->started(*this);
-      ++watching;
-    }
-    heard_of = impl_->renewals_;
-    while (outcome() == Outcome::running) {
-      edit_what_is_due();
-      if (before_control && impl_->is_control_instant()) before_control(*this);
-      impl_->obey_rules();
-      let_observers_know();
-      step();
-      for (Observer* observer : observers) {
-        observer->stepped(*this);
-      }
-      if (limits.wall_time && wall() >= *limits.wall_time && outcome() == Outcome::running) {
-        impl_->judgement_ = {Outcome::time_limit, "the limit of time on the clock was met"};
-      }
-    }
-  } catch (...) {
-    failure = std::current_exception();
-  }
-  impl_->wall_s_ = wall();
-  for (Observer* observer : observers.first(watching)) {
-    try {
-      observer->ended(*this);
-    } catch (...) {
-      failure = failure ? failure : std::current_exception();  // keep the first one
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
-  return result();
+  return run.end();
 }
 
 std::vector<UnmadeEdits> Simulation::check(std::span<const TimedEdit> edits) const {

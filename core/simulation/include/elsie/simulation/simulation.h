@@ -182,8 +182,8 @@ class Simulation {
   /// the same as that of a new simulation with this seed.
   void reset(std::optional<std::uint64_t> seed = std::nullopt);
 
-  /// Makes one step. Throws PluginFault and PhysicsFault. Steps are possible after the end of the
-  /// run; the outcome stays.
+  /// Makes one step, without the world's own edits and rules; see run.h for steps with them. Throws
+  /// PluginFault and PhysicsFault. Steps are possible after the end of the run; the outcome stays.
   void step();
 
   /// Steps until a goal or a limit ends the run. Throws PluginFault, also of a measure, and
@@ -297,6 +297,7 @@ class Simulation {
   std::optional<Pose> obstacle(std::size_t index) const;
 
  private:
+  friend class Run;
   class Impl;
   std::unique_ptr<Impl> impl_;
 };
