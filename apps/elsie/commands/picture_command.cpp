@@ -6,8 +6,10 @@
 #include <utility>
 
 #include <CLI/CLI.hpp>
+#include <spdlog/spdlog.h>
 
 #include "elsie/files/outputs.h"
+#include "elsie/recording/run_picture.h"
 #include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/reader.h"
@@ -17,7 +19,6 @@
 #include "environment.h"
 #include "output_files.h"
 #include "streams.h"
-#include "top_view.h"
 
 namespace elsie::program {
 
@@ -48,7 +49,10 @@ int picture(const PictureOptions& options) {
   simulation::Simulation simulation(std::move(world), host,
                                     {.seed = options.seed, .cameras = render::world_cameras});
   simulation.step();  // lets the sensors look once
-  draw(simulation, nullptr, {}, file, options.width, {}, options.bare);
+  picture::TopView view = recording::view_of(
+      simulation, nullptr, [](const std::string& sentence) { spdlog::warn(sentence); });
+  view.bare = options.bare;
+  picture::save_top_view(view, file, {options.width, 0});
   out() << "wrote " << file.string() << '\n';
   return kSuccess;
 }

@@ -13,6 +13,7 @@
 #include "elsie/base/number_text.h"
 #include "elsie/files/outputs.h"
 #include "elsie/recording/formats.h"
+#include "elsie/recording/run_picture.h"
 #include "elsie/traces/tracks.h"
 
 #include "command.h"
@@ -20,7 +21,6 @@
 #include "image_saver.h"
 #include "make_views.h"
 #include "output_files.h"
-#include "top_view.h"
 
 namespace elsie::program {
 
@@ -96,8 +96,11 @@ class Views final : public RunViews {
 
   void draw(const simulation::Simulation& simulation, const std::string& line) const override {
     if (options_.picture) {
-      program::draw(simulation, tracks_, {line}, *options_.picture, options_.picture_width,
-                    options_.paths.choice());
+      picture::TopView view = recording::view_of(
+          simulation, tracks_, [](const std::string& sentence) { spdlog::warn(sentence); });
+      view.subtitles = {line};
+      view.paths = options_.paths.choice();
+      picture::save_top_view(view, *options_.picture, {options_.picture_width, 0});
     }
     if (graph_) draw_graph(simulation, line);
   }

@@ -156,8 +156,11 @@ Scene complete(const TopView& view) {
   return scene;
 }
 
-void save_top_view(const TopView& view, const std::filesystem::path& file, const Size& size) {
-  const FileType type = file_type(file);
+namespace {
+
+/// Draws the view on a canvas of this type, and calls `take` with it.
+template <class Take>
+auto drawn(const TopView& view, FileType type, const Size& size, const Take& take) {
   check_size(size);
   const Scene scene = complete(view);
   const std::vector<LegendEntry> legend = legend_of(scene);
@@ -192,7 +195,35 @@ void save_top_view(const TopView& view, const std::filesystem::path& file, const
     }
     draw_left_out(canvas, layout, labels);
   }
-  write_whole(file, canvas.finish());
+  return take(canvas, layout);
+}
+
+std::string bytes_of(const TopView& view, FileType type, const Size& size) {
+  return drawn(view, type, size, [](Canvas& canvas, const Layout&) { return canvas.finish(); });
+}
+
+}  // namespace
+
+void save_top_view(const TopView& view, const std::filesystem::path& file, const Size& size) {
+  write_whole(file, bytes_of(view, file_type(file), size));
+}
+
+std::string top_view_svg(const TopView& view, const Size& size) {
+  return bytes_of(view, FileType::svg, size);
+}
+
+Image top_view_image(const TopView& view, const Size& size) {
+  return drawn(view, FileType::png, size, [](Canvas& canvas, const Layout& layout) {
+    Image image;
+    image.width = layout.width;
+    image.height = layout.height;
+    for (const std::uint32_t pixel : canvas.pixels()) {  // 0x??RRGGBB
+      for (const int shift : {16, 8, 0}) {
+        image.bytes.push_back(static_cast<std::uint8_t>(pixel >> shift));
+      }
+    }
+    return image;
+  });
 }
 
 }  // namespace elsie::picture

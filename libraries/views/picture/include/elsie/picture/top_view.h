@@ -94,4 +94,9 @@ Pose start_of(const world::Obstacle& box);
 /// the file cannot be written; an existing file is then unchanged.
 void save_top_view(const TopView& view, const std::filesystem::path& file, const Size& size = {});
 
+/// The same picture as the text of an SVG, or pixel by pixel in red, green and blue. Throws
+/// std::invalid_argument for a size out of range.
+std::string top_view_svg(const TopView& view, const Size& size = {});
+Image top_view_image(const TopView& view, const Size& size = {});
+
 }  // namespace elsie::picture

@@ -1,26 +1,23 @@
-#include "top_view.h"
+#include "elsie/recording/run_picture.h"
 
-#include <string>
 #include <utility>
 #include <vector>
 
-#include <spdlog/spdlog.h>
-
-#include "elsie/picture/top_view.h"
 #include "elsie/simulation/fault.h"
 
-namespace elsie::program {
+namespace elsie::recording {
 namespace {
 
 /// The sketches of a robot or of measures. The picture is no part of the run: if a plugin fails to
 /// draw, it lacks these sketches.
 template <class List>
-std::vector<Sketch> sketches_of(const List& list) {
+std::vector<Sketch> sketches_of(const List& list,
+                                const std::function<void(const std::string&)>& warn) {
   std::vector<Sketch> sketches;
   try {
     for (simulation::PluginSketch& each : list()) sketches.push_back(std::move(each.sketch));
   } catch (const simulation::PluginFault& fault) {
-    spdlog::warn(std::string("the picture lacks sketches: ") + fault.what());
+    warn(std::string("the picture lacks sketches: ") + fault.what());
   }
   return sketches;
 }
@@ -53,26 +50,23 @@ picture::RobotTrack track_of(const simulation::Simulation& simulation, std::size
 
 }  // namespace
 
-void draw(const simulation::Simulation& simulation, const traces::TrackRecorder* tracks,
-          const std::vector<std::string>& subtitles, const std::filesystem::path& file, int width,
-          const picture::PathChoice& paths, bool bare) {
+picture::TopView view_of(const simulation::Simulation& simulation,
+                         const traces::TrackRecorder* tracks,
+                         const std::function<void(const std::string&)>& warn) {
   picture::TopView view{simulation.world()};
-  view.bare = bare;
   for (std::size_t i = 0; i < simulation.robots(); ++i) {
     view.robots.push_back(track_of(simulation, i, tracks));
-    view.robots.back().sketches = sketches_of([&] { return simulation.sketches(i); });
+    view.robots.back().sketches = sketches_of([&] { return simulation.sketches(i); }, warn);
   }
-  view.sketches = sketches_of([&] { return simulation.sketches(); });
+  view.sketches = sketches_of([&] { return simulation.sketches(); }, warn);
   for (std::size_t i = 0; i < simulation.world().obstacles.size(); ++i) {
     view.boxes.push_back(simulation.obstacle(i));
   }
   for (std::size_t i = 0; i < simulation.fields(); ++i) {
     view.fields.push_back(picture::floor_field(simulation.field(i), picture::kMostFieldTiles));
   }
-  view.subtitles = subtitles;
-  view.paths = paths;
   view.path_period_s = tracks ? tracks->period_s() : 0.0;
-  picture::save_top_view(view, file, {width, 0});
+  return view;
 }
 
-}  // namespace elsie::program
+}  // namespace elsie::recording
