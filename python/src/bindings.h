@@ -11,5 +11,7 @@ namespace py = pybind11;
 void bind_errors(py::module_& module);
 void bind_worlds(py::module_& module);
 void bind_simulations(py::module_& module);
+void bind_pictures(py::module_& module);
+void bind_inference(py::module_& module);
 
 }  // namespace elsie::python

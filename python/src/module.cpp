@@ -1,4 +1,6 @@
 // The extension module `elsie._elsie`: what the package `elsie` is made of. Users see the package.
+#include "elsie/process/arithmetic.h"
+
 #include "bindings.h"
 
 PYBIND11_MODULE(_elsie, module) {
@@ -7,4 +9,8 @@ PYBIND11_MODULE(_elsie, module) {
   bind_errors(module);
   bind_worlds(module);
   bind_simulations(module);
+  bind_pictures(module);
+  bind_inference(module);
+  module.def("has_fixed_arithmetic", &elsie::process::has_fixed_arithmetic);
+  module.attr("version") = ELSIE_VERSION;
 }

@@ -64,8 +64,11 @@ class Simulation {
   using MakeTable = Table (*)(const simulation::Simulation& now, const std::string& name);
   py::array table(MakeTable make, const std::string& name);
 
-  /// Who decided so far; null without SimulationOptions::trace, or before the first step.
-  const traces::AccountRecorder* account() const { return account_.get(); }
+  /// Who decided, of a run that has ended; null without SimulationOptions::trace, or before the
+  /// end.
+  std::shared_ptr<const traces::AccountRecorder> account() const {
+    return has_ended_ ? account_ : nullptr;
+  }
   const traces::TrackRecorder* tracks() const { return tracks_.get(); }
 
  private:
@@ -81,13 +84,14 @@ class Simulation {
   std::unique_ptr<World> drawn_;  // to draw its layouts again; null: it has none
   SimulationOptions options_;
   std::unique_ptr<simulation::Simulation> simulation_;
-  std::unique_ptr<traces::AccountRecorder> account_;
+  std::shared_ptr<traces::AccountRecorder> account_;
   std::unique_ptr<traces::TrackRecorder> tracks_;
   std::unique_ptr<Watcher> watcher_;
   std::vector<std::unique_ptr<simulation::Observer>> recorders_;
   std::unique_ptr<simulation::Run> run_;
   std::map<std::pair<MakeTable, std::string>, Table> tables_;
   bool is_stepping_ = false;
+  bool has_ended_ = false;
 };
 
 }  // namespace elsie::python

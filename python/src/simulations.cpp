@@ -11,6 +11,7 @@
 #include "elsie/render/world_cameras.h"
 #include "elsie/world/data_directories.h"
 
+#include "account.h"
 #include "results.h"
 #include "simulation.h"
 #include "values.h"
@@ -68,7 +69,7 @@ void Simulation::begin() {
   if (run_) return;
   std::vector<simulation::Observer*> observers{watcher_.get()};
   if (options_.trace) {
-    account_ = std::make_unique<traces::AccountRecorder>();
+    account_ = std::make_shared<traces::AccountRecorder>();
     observers.push_back(account_.get());
   }
   if (options_.paths) {
@@ -81,6 +82,9 @@ void Simulation::begin() {
 
 std::uint64_t Simulation::advance(std::uint64_t steps, double until_s) {
   require_idle();
+  if (has_ended_ && simulation_->outcome() == simulation::Outcome::running) {
+    throw base::Error("this run was closed before its end; reset() starts it again");
+  }
   std::uint64_t made = 0;
   while (made < steps) {
     std::uint64_t more = 0;
@@ -124,12 +128,14 @@ std::uint64_t Simulation::steps_until(std::uint64_t steps, double until_s) {
 simulation::RunResult Simulation::end() {
   require_idle();
   begin();
+  has_ended_ = true;
   return run_->end();
 }
 
 void Simulation::reset(std::optional<std::uint64_t> seed) {
   require_idle();
   run_.reset();
+  has_ended_ = false;
   account_.reset();
   tracks_.reset();
   recorders_.clear();
@@ -197,15 +203,6 @@ void Simulation::refresh() {
 
 namespace {
 
-std::vector<std::pair<std::string, std::string>> edits_of(const py::list& given) {
-  std::vector<std::pair<std::string, std::string>> edits;
-  for (const py::handle& each : given) {
-    const auto pair = each.cast<py::tuple>();
-    edits.emplace_back(pair[0].cast<std::string>(), text_of(pair[1]));
-  }
-  return edits;
-}
-
 py::list robot_ids(const simulation::Simulation& now) {
   py::list ids;
   for (const world::Robot& robot : now.world().robots) ids.append(robot.id);
@@ -232,6 +229,10 @@ py::list notes_of(std::span<const simulation::Note> all) {
 }  // namespace
 
 void bind_simulations(py::module_& module) {
+  py::class_<Account>(module, "Account")
+      .def("coordinators", &Account::coordinators)
+      .def("episodes", &Account::episodes)
+      .def("behaviors", &Account::behaviors);
   py::class_<Simulation>(module, "Simulation", "The base of elsie.Simulation.")
       .def(py::init([](const World& world, std::uint64_t seed, std::size_t threads,
                        std::optional<double> time_limit_s, bool trace, bool paths) {
@@ -248,6 +249,12 @@ void bind_simulations(py::module_& module) {
       .def("value",
            [](Simulation& self, const std::string& path) {
              return value_at(self.now().world(), *self.shared_host(), path);
+           })
+      .def("account",
+           [](Simulation& self) -> std::optional<Account> {
+             auto recorder = self.account();
+             if (!recorder) return std::nullopt;
+             return Account(std::move(recorder));
            })
       .def("record_to", &Simulation::record)
       .def("of_robots", [](Simulation& self,

@@ -54,6 +54,15 @@ std::string text_of(const py::handle& value) {
                        std::string(py::str(py::type::of(value).attr("__name__"))));
 }
 
+std::vector<std::pair<std::string, std::string>> edits_of(const py::list& given) {
+  std::vector<std::pair<std::string, std::string>> edits;
+  for (const py::handle& each : given) {
+    const auto pair = each.cast<py::tuple>();
+    edits.emplace_back(pair[0].cast<std::string>(), text_of(pair[1]));
+  }
+  return edits;
+}
+
 py::object value_at(const world::World& world, const plugin::Host& host, const std::string& path) {
   try {
     const world::Attributes attributes(world, host);

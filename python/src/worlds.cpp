@@ -108,6 +108,10 @@ void bind_worlds(py::module_& module) {
                          : World::open(file, std::move(host));
            }),
            py::arg("text"), py::arg("file"), py::arg("plugins"))
+      .def(py::init([](const World& other) {
+             return std::make_unique<World>(other.text(), other.file(), other.shared_host());
+           }),
+           py::arg("other"))
       .def_property_readonly("text", &World::text)
       .def_property_readonly("file", &World::file)
       .def_property_readonly("name", [](const World& self) { return self.description().name; })
@@ -124,7 +128,12 @@ void bind_worlds(py::module_& module) {
            [](const World& self, const std::string& path) {
              return value_at(self.description(), *self.shared_host(), path);
            })
-      .def("edit", &World::edit)
+      .def("edit_all",
+           [](World& self, const py::list& edits) {
+             std::vector<std::string> texts;
+             for (const auto& [path, value] : edits_of(edits)) texts.push_back(path + "=" + value);
+             self.edit(texts);
+           })
       .def("warnings", &warnings_of)
       .def("save_as", &save);
   module.def("text_of", [](const py::handle& value) { return text_of(value); });
