@@ -3,8 +3,25 @@
     import elsie
     world = elsie.World("worlds/clutter.xml")
     run = elsie.Simulation(world, seed=7)
-    run.run()
-"""
-from elsie.errors import (EditRefused, Error, InputError, ModelError, PhysicsFault, PluginError, PluginFault, Problem, WorldError)
+    run.step(100)
+    print(run.poses)
+    print(run.run())
 
-__all__ = ["EditRefused", "Error", "InputError", "ModelError", "PhysicsFault", "PluginError", "PluginFault", "Problem", "WorldError"]
+`World` reads, checks and edits; `Simulation` makes steps; `Result` is what a run came to. `run` and `batch` make many,
+as frames of pandas. `Fuzzy` and `Network` need no simulation. docs/python.md is the guide.
+"""
+from elsie import _elsie
+from elsie.errors import (EditRefused, Error, InputError, ModelError, PhysicsFault, PluginError, PluginFault, Problem, WorldError)
+from elsie.inference import Fuzzy, Network, Training, Variable
+from elsie.results import Event, Note, Result, RobotResult
+from elsie.simulations import Simulation, same_bits
+from elsie.studies import Results, batch, program, run
+from elsie.worlds import World
+
+__version__: str = _elsie.version
+
+__all__ = [
+    "EditRefused", "Error", "Event", "Fuzzy", "InputError", "ModelError", "Network", "Note", "PhysicsFault", "PluginError",
+    "PluginFault", "Problem", "Result", "Results", "RobotResult", "Simulation", "Training", "Variable", "World", "WorldError",
+    "batch", "program", "run", "same_bits",
+]

@@ -99,10 +99,7 @@ class Result:
 
 def result_of(fields: dict[str, Any], notes: list[Note], account: Optional[_elsie.Account]) -> Result:
     """A result from what the extension module gives."""
-    return Result(**{**fields,
-                     "robots": [RobotResult(*each) for each in fields["robots"]],
-                     "events": [Event(*each) for each in fields["events"]],
-                     "notes": [Note(*each) for each in fields["notes"]] + notes},
-                  account=account)
-
-
+    more: dict[str, Any] = {"robots": [RobotResult(*each) for each in fields["robots"]],
+            "events": [Event(*each) for each in fields["events"]],
+            "notes": [Note(*each) for each in fields["notes"]] + notes}
+    return Result(**{**fields, **more}, account=account)

@@ -46,7 +46,7 @@ class Paths:
         self.edit_all([(_elsie.path_of_new(where), element)])
 
 
-class World(Paths, _elsie.World):
+class World(_elsie.World, Paths):
     """A world: the text of its file, which edits change only where they must, and the plugins that it names.
 
         world = elsie.World("worlds/clutter.xml")

@@ -205,7 +205,7 @@ void bind_network(py::module_& module) {
             const auto sizes = self.network.sizes();
             return py::tuple(py::cast(std::vector<int>(sizes.begin(), sizes.end())));
           })
-      .def("save", [](const neural::Weights& self,
+      .def("save_as", [](const neural::Weights& self,
                       const std::string& file) { neural::write_weights(self, file); })
       .def("layer", &weights_of)
       .def("set_layer", &set_weights)

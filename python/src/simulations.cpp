@@ -243,7 +243,7 @@ void bind_simulations(py::module_& module) {
            py::arg("trace"), py::arg("paths"))
       .def("advance", &Simulation::advance)
       .def("end", [](Simulation& self) { return dict_of(self.end()); })
-      .def("result", [](Simulation& self) { return dict_of(self.now().result()); })
+      .def("result_fields", [](Simulation& self) { return dict_of(self.now().result()); })
       .def("reset_to", &Simulation::reset)
       .def("edit_all", [](Simulation& self, const py::list& edits) { self.edit(edits_of(edits)); })
       .def("value",
