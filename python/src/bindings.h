@@ -13,5 +13,7 @@ void bind_worlds(py::module_& module);
 void bind_simulations(py::module_& module);
 void bind_pictures(py::module_& module);
 void bind_inference(py::module_& module);
+/// elsie._elsie.Worlds, of which environments for learning are made.
+void bind_environments(py::module_& module);
 
 }  // namespace elsie::python

@@ -1,0 +1,238 @@
+// Binds the worlds of elsie.Env, elsie.VectorEnv and elsie.ParallelEnv.
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include "elsie/base/error.h"
+#include "elsie/base/words.h"
+#include "elsie/simulation/run_result.h"
+#include "elsie/world/reader.h"
+
+#include "bindings.h"
+#include "environments/worlds.h"
+#include "world.h"
+
+namespace elsie::python {
+namespace {
+
+using Names = std::vector<std::tuple<std::string, std::optional<double>, std::optional<double>>>;
+using Terms = std::optional<std::vector<std::pair<std::string, double>>>;
+
+/// What Python holds: the worlds, and the shape of the actions of one of them.
+struct Held {
+  Worlds worlds;
+  std::vector<py::ssize_t> shape;
+};
+
+std::vector<Named> named(const Names& names) {
+  std::vector<Named> all;
+  for (const auto& [name, low, high] : names) all.push_back({name, low, high});
+  return all;
+}
+
+/// The world does not change with the Python object that it came from.
+MakeWorld maker_of(const World& world, std::optional<double> time_limit_s) {
+  const auto host = world.shared_host();
+  const auto first = std::make_shared<const world::World>(world.description(1, time_limit_s));
+  const bool is_drawn = first->drawn && first->drawn->by_run;
+  return [=, text = world.text(), file = world.file()](std::uint64_t seed) {
+    if (!is_drawn) return *first;
+    world::ReadOptions reading = reading_for(seed);
+    reading.time_limit_s = time_limit_s;
+    return world::parse_world(text, file, *host, reading);
+  };
+}
+
+std::unique_ptr<Held> make(const World& world, std::size_t count, std::size_t threads,
+                           std::vector<std::string> robots, const Names& observe, const Names& act,
+                           const Terms& rewards, std::size_t steps,
+                           std::optional<double> time_limit_s) {
+  Declared declared{std::move(robots), named(observe), named(act), {}, steps, time_limit_s};
+  if (rewards) {
+    declared.rewards.emplace();
+    for (const auto& [name, weight] : *rewards) declared.rewards->push_back({name, weight});
+  }
+  MakeWorld maker = maker_of(world, time_limit_s);
+  const auto host = world.shared_host();
+  const py::gil_scoped_release released;
+  return std::unique_ptr<Held>(
+      new Held{Worlds(std::move(declared), std::move(maker), host, count, threads), {}});
+}
+
+std::string text_of(const py::ssize_t* shape, std::size_t size) {
+  std::vector<std::string> numbers;
+  for (std::size_t i = 0; i < size; ++i) numbers.push_back(std::to_string(shape[i]));
+  return "(" + base::joined(numbers) + (size == 1 ? ",)" : ")");
+}
+
+using Actions = py::array_t<float, py::array::c_style | py::array::forcecast>;
+
+Actions actions_of(const Held& held, const py::object& given) {
+  Actions actions = Actions::ensure(given);
+  if (!actions) {
+    PyErr_Clear();
+    throw base::BadInput("An action is no array of numbers: " +
+                         std::string(py::str(py::type::of(given))));
+  }
+  const auto size = static_cast<std::size_t>(actions.ndim());
+  if (size != held.shape.size() ||
+      !std::equal(held.shape.begin(), held.shape.end(), actions.shape())) {
+    throw base::BadInput("The actions have the shape " + text_of(actions.shape(), size) +
+                         "; expected " + text_of(held.shape.data(), held.shape.size()));
+  }
+  return actions;
+}
+
+std::span<const float> span_of(const Actions& actions) {
+  return {actions.data(), static_cast<std::size_t>(actions.size())};
+}
+
+/// A view of a row of numbers for each world.
+template <class Number, class As = Number>
+py::array view(const py::object& self, const std::vector<Number>& numbers, std::size_t rows,
+               bool is_table) {
+  const auto* const at = reinterpret_cast<const As*>(numbers.data());
+  const auto count = static_cast<py::ssize_t>(rows);
+  py::array all =
+      is_table ? py::array(py::dtype::of<As>(),
+                           {count, static_cast<py::ssize_t>(numbers.size() / rows)}, at, self)
+               : py::array(py::dtype::of<As>(), {count}, at, self);
+  py::detail::array_proxy(all.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return all;
+}
+
+template <class Member>
+auto table(Member member) {
+  return [member](const py::object& self) {
+    const Worlds& worlds = self.cast<const Held&>().worlds;
+    return view(self, (worlds.*member)(), worlds.size(), true);
+  };
+}
+
+/// "char" in C++, bool in Python.
+template <class Member>
+auto flags(Member member, bool is_table) {
+  return [member, is_table](const py::object& self) {
+    const Worlds& worlds = self.cast<const Held&>().worlds;
+    return view<char, bool>(self, (worlds.*member)(), worlds.size(), is_table);
+  };
+}
+
+py::dict listed(const std::vector<Bounded>& numbers) {
+  std::vector<std::string> names;
+  py::array_t<double> low(static_cast<py::ssize_t>(numbers.size()));
+  py::array_t<double> high(static_cast<py::ssize_t>(numbers.size()));
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    names.push_back(numbers[i].name);
+    low.mutable_at(i) = numbers[i].low;
+    high.mutable_at(i) = numbers[i].high;
+  }
+  py::dict all;
+  all["names"] = names;
+  all["low"] = low;
+  all["high"] = high;
+  return all;
+}
+
+std::size_t checked(const Held& held, std::size_t world) {
+  if (world >= held.worlds.size()) {
+    throw base::BadInput("There is no world " + std::to_string(world) + "; there are " +
+                         std::to_string(held.worlds.size()) + ", counted from 0");
+  }
+  return world;
+}
+
+const simulation::Simulation& simulation_of(const Held& held, std::size_t world) {
+  const Episode& episode = held.worlds.episode(checked(held, world));
+  if (!episode.has_begun())
+    throw base::BadInput("The environment has not begun: call reset() first");
+  return episode.simulation();
+}
+
+/// A step of the only world: what elsie.Env returns but for its info.
+py::tuple step_alone(Held& held, const py::object& given) {
+  Worlds& worlds = held.worlds;
+  const Actions actions = actions_of(held, given);
+  {
+    const py::gil_scoped_release released;
+    worlds.step(span_of(actions), Renewal::told);
+  }
+  const std::vector<float>& observed = worlds.observations();
+  py::array_t<float> observation(static_cast<py::ssize_t>(observed.size()));
+  std::copy(observed.begin(), observed.end(), observation.mutable_data());
+  const std::vector<double>& rewards = worlds.rewards();
+  return py::make_tuple(std::move(observation),
+                        std::accumulate(rewards.begin(), rewards.end(), 0.0),
+                        worlds.terminated()[0] != 0, worlds.truncated()[0] != 0);
+}
+
+}  // namespace
+
+void bind_environments(py::module_& module) {
+  py::class_<Held>(module, "Worlds", "The worlds of an environment; see elsie.Env.")
+      .def(py::init(&make), py::arg("world"), py::arg("count"), py::arg("threads"),
+           py::arg("robots"), py::arg("observe"), py::arg("act"), py::arg("rewards"),
+           py::arg("steps"), py::arg("duration"))
+      .def_readwrite("action_shape", &Held::shape)
+      .def("observed",
+           [](const Held& held, std::size_t robot) { return listed(held.worlds.observed(robot)); })
+      .def("acted",
+           [](const Held& held, std::size_t robot) { return listed(held.worlds.acted(robot)); })
+      .def("begin",
+           [](Held& held, const std::vector<std::size_t>& chosen,
+              const std::vector<std::uint64_t>& seeds) {
+             for (const std::size_t world : chosen) checked(held, world);
+             const py::gil_scoped_release released;
+             held.worlds.begin(chosen, seeds);
+           })
+      .def("step",
+           [](Held& held, const py::object& given, int renewal) {
+             const Actions actions = actions_of(held, given);
+             const py::gil_scoped_release released;
+             held.worlds.step(span_of(actions), static_cast<Renewal>(renewal));
+           })
+      .def("step_alone", &step_alone)
+      .def_property_readonly("observations", table(&Worlds::observations))
+      .def_property_readonly("last_observations", table(&Worlds::last_observations))
+      .def_property_readonly("rewards", table(&Worlds::rewards))
+      .def_property_readonly("ended", flags(&Worlds::ended, true))
+      .def_property_readonly("terminated", flags(&Worlds::terminated, false))
+      .def_property_readonly("truncated", flags(&Worlds::truncated, false))
+      .def_property_readonly("begun", flags(&Worlds::begun, false))
+      .def("outcome", [](const Held& held,
+                         std::size_t world) { return held.worlds.outcome(checked(held, world)); })
+      .def("seed",
+           [](const Held& held, std::size_t world) {
+             return held.worlds.episode(checked(held, world)).seed();
+           })
+      .def("time_s",
+           [](const Held& held, std::size_t world) { return simulation_of(held, world).time_s(); })
+      .def("state_hash",
+           [](const Held& held, std::size_t world) {
+             return simulation::hash_text(simulation_of(held, world).state_hash());
+           })
+      .def("save",
+           [](Held& held, std::size_t world, const std::string& file) {
+             checked(held, world);
+             const py::gil_scoped_release released;
+             held.worlds.save(world, file);
+           })
+      .def("picture", [](const Held& held, std::size_t world, int width) {
+        checked(held, world);
+        Image image;
+        {
+          const py::gil_scoped_release released;
+          image = held.worlds.picture(world, width);
+        }
+        py::array_t<std::uint8_t> pixels({image.height, image.width, 3});
+        std::copy(image.bytes.begin(), image.bytes.end(), pixels.mutable_data());
+        return pixels;
+      });
+}
+
+}  // namespace elsie::python

@@ -1,0 +1,215 @@
+#include "worlds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "elsie/base/error.h"
+#include "elsie/base/random.h"
+#include "elsie/picture/top_view.h"
+#include "elsie/recording/run_picture.h"
+#include "elsie/simulation/edit.h"
+#include "elsie/simulation/fault.h"
+
+namespace elsie::python {
+namespace {
+
+/// A fault of one of several worlds, with its number.
+template <class Fault>
+class OfWorld : public Fault {
+ public:
+  OfWorld(const Fault& fault, std::size_t world)
+      : Fault(fault), sentence_("world " + std::to_string(world) + ": " + fault.what()) {}
+  const char* what() const noexcept override { return sentence_.c_str(); }
+
+ private:
+  std::string sentence_;
+};
+
+[[noreturn]] void rethrow(const std::exception_ptr& failure, std::size_t world) {
+  try {
+    std::rethrow_exception(failure);
+  } catch (const simulation::PluginFault& fault) {
+    throw OfWorld(fault, world);
+  } catch (const simulation::PhysicsFault& fault) {
+    throw OfWorld(fault, world);
+  } catch (const simulation::EditRefused& refused) {
+    throw OfWorld(refused, world);
+  } catch (const base::BadInput& error) {
+    throw OfWorld(error, world);
+  }
+}
+
+}  // namespace
+
+/// One thread at a time.
+class Worlds::Work {
+ public:
+  explicit Work(std::atomic_flag& at_work) : at_work_(at_work) {
+    if (at_work_.test_and_set(std::memory_order_acquire)) {
+      throw base::BadInput(
+          "This environment is at work in another thread; give each thread its own");
+    }
+  }
+  ~Work() { at_work_.clear(std::memory_order_release); }
+  Work(const Work&) = delete;
+  Work& operator=(const Work&) = delete;
+
+ private:
+  std::atomic_flag& at_work_;
+};
+
+/// The first episode has the seed that was given; the others follow from it.
+std::uint64_t Worlds::Seeds::next() const {
+  if (episode == 0) return first;
+  return Random(first, "episode " + std::to_string(episode)).bits() >> 32;
+}
+
+Worlds::Worlds(Declared declared, MakeWorld make, std::shared_ptr<const plugin::Host> host,
+               std::size_t count, std::size_t threads)
+    : declared_(std::move(declared)),
+      make_(std::move(make)),
+      host_(std::move(host)),
+      seeds_(count),
+      outcomes_(count),
+      pool_(std::min(threads, count)),
+      all_(count),
+      failures_(count) {
+  std::iota(all_.begin(), all_.end(), 0);
+  episodes_.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    episodes_.push_back(std::make_unique<Episode>(declared_, make_, *host_));
+  }
+  episodes_.front()->begin(1);
+  for (const Observing& eyes : episodes_.front()->eyes()) {
+    observed_.push_back(eyes.numbers());
+    observations_size_ += eyes.numbers().size();
+  }
+  for (const Acting& hands : episodes_.front()->hands()) {
+    acted_.push_back(hands.numbers());
+    actions_size_ += hands.numbers().size();
+  }
+  const std::size_t robots = declared_.robots.size();
+  observations_.resize(count * observations_size_);
+  last_observations_.resize(count * observations_size_);
+  rewards_.resize(count * robots);
+  ended_.resize(count * robots);
+  terminated_.resize(count);
+  truncated_.resize(count);
+  begun_.resize(count);
+  // Nothing has begun for the user yet.
+  for (std::size_t i = 0; i < count; ++i) seeds_[i] = {i + 1, static_cast<std::uint64_t>(-1)};
+}
+
+/// Does this for the chosen worlds, in threads, and throws the failure of the first.
+template <class What>
+void Worlds::each(const std::vector<std::size_t>& chosen, const What& what) {
+  pool_.divide(chosen.size(), 1, [&](const base::ThreadPool::Share& share) {
+    for (std::size_t i = share.first; i < share.end; ++i) {
+      try {
+        what(chosen[i]);
+      } catch (...) {
+        failures_[chosen[i]] = std::current_exception();
+      }
+    }
+  });
+  std::exception_ptr first;
+  std::size_t failed = 0;
+  for (const std::size_t world : chosen) {
+    std::exception_ptr failure = std::exchange(failures_[world], nullptr);
+    if (!failure || first) continue;
+    first = std::move(failure);
+    failed = world;
+  }
+  if (!first) return;
+  if (size() == 1) std::rethrow_exception(first);
+  rethrow(first, failed);
+}
+
+void Worlds::begin(std::size_t world) {
+  Seeds& seeds = seeds_[world];
+  ++seeds.episode;
+  Episode& episode = *episodes_[world];
+  episode.begin(seeds.next());
+  std::size_t observed = 0;
+  for (const Observing& eyes : episode.eyes()) observed += eyes.numbers().size();
+  if (observed != observations_size_) {
+    throw base::BadInput("with the seed " + std::to_string(episode.seed()) + ", " +
+                         std::to_string(observed) + " numbers are observed, and with seed 1 " +
+                         std::to_string(observations_size_) + "; expected as many with every seed");
+  }
+  begun_[world] = true;
+  take_results(world);
+}
+
+void Worlds::take_results(std::size_t world) {
+  const Episode& episode = *episodes_[world];
+  const std::size_t robots = declared_.robots.size();
+  episode.observe(observations_.data() + world * observations_size_);
+  for (std::size_t i = 0; i < robots; ++i) {
+    rewards_[world * robots + i] = episode.rewards()[i];
+    ended_[world * robots + i] = episode.has_ended(i);
+  }
+  terminated_[world] = episode.terminated();
+  truncated_[world] = episode.truncated();
+}
+
+void Worlds::begin(const std::vector<std::size_t>& chosen, std::span<const std::uint64_t> seeds) {
+  const Work work(at_work_);
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    seeds_[chosen[i]] = {seeds[i], static_cast<std::uint64_t>(-1)};
+  }
+  each(chosen, [&](std::size_t world) { begin(world); });
+}
+
+void Worlds::step(std::span<const float> actions, Renewal renewal) {
+  const Work work(at_work_);
+  float sum = 0.0f;
+  for (const float action : actions) sum += action - action;  // NaN if one is not finite
+  if (!(sum == 0.0f)) {
+    throw base::BadInput("An action has a number that is not finite; expected numbers in [-1, 1]");
+  }
+  const std::size_t robots = declared_.robots.size();
+  each(all_, [&](std::size_t world) {
+    Episode& episode = *episodes_[world];
+    begun_[world] = false;
+    if (renewal == Renewal::next_step && episode.has_ended()) {
+      begin(world);
+      return;
+    }
+    episode.step(actions.data() + world * actions_size_);
+    take_results(world);
+    if (!episode.has_ended()) return;
+    outcomes_[world] = to_string(episode.simulation().outcome());
+    if (renewal != Renewal::same_step) return;
+    const auto from =
+        observations_.begin() + static_cast<std::ptrdiff_t>(world * observations_size_);
+    std::copy(from, from + static_cast<std::ptrdiff_t>(observations_size_),
+              last_observations_.begin() + (from - observations_.begin()));
+    const std::vector<double> rewards = episode.rewards();
+    const bool terminated = episode.terminated(), truncated = episode.truncated();
+    begin(world);
+    std::copy(rewards.begin(), rewards.end(),
+              rewards_.begin() + static_cast<std::ptrdiff_t>(world * robots));
+    terminated_[world] = terminated;
+    truncated_[world] = truncated;
+  });
+}
+
+void Worlds::save(std::size_t world, const std::filesystem::path& file) {
+  const Work work(at_work_);
+  episodes_[world]->save(file);
+}
+
+Image Worlds::picture(std::size_t world, int width) const {
+  if (!episodes_[world]->has_begun()) {
+    throw base::BadInput("There is nothing to draw yet: call reset() first");
+  }
+  const simulation::Simulation& simulation = episodes_[world]->simulation();
+  picture::TopView view = recording::view_of(simulation, nullptr, [](const std::string&) {});
+  view.bare = true;
+  return picture::top_view_image(view, {.width = width});
+}
+
+}  // namespace elsie::python
