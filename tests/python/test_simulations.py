@@ -1,7 +1,9 @@
 """elsie.Simulation: steps, edits while it runs, observers, recordings, and results."""
+import _thread
 import csv
 import gc
 import json
+import os
 import subprocess
 import sys
 import threading
@@ -10,7 +12,6 @@ import weakref
 import pytest
 
 import elsie
-from worlds import ARENA
 
 
 def test_steps_are_counted_and_end_with_the_run(run):
@@ -52,7 +53,6 @@ def test_runs_are_those_of_the_program(name):
     """In a process that has its arithmetic."""
     script = (f"import elsie; print(elsie.Simulation({name!r}, seed=3, time_limit=4).run().state_hash, elsie.same_bits())")
     fixed = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX,-AVX2,-FMA,-FMA4"}
-    import os
     ours = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True, env={**os.environ, **fixed})
     theirs = subprocess.run([elsie.program(), "run", name, "--seed", "3", "--duration", "4", "--json"],
                             capture_output=True, text=True, check=False)
@@ -61,7 +61,6 @@ def test_runs_are_those_of_the_program(name):
 
 def test_a_process_without_the_arithmetic_says_so_once():
     script = "import elsie; a = elsie.Simulation('worlds/open_arena.xml', time_limit=1).run(); print(a.notes)"
-    import os
     clean = {name: value for name, value in os.environ.items() if name != "GLIBC_TUNABLES"}
     done = subprocess.run([sys.executable, "-c", script + "; elsie.Simulation('worlds/open_arena.xml')"],
                           capture_output=True, text=True, check=True, env=clean)
@@ -119,8 +118,7 @@ def test_later_edits_of_the_world_do_not_reach_the_simulation(world):
 
 
 def test_the_edits_and_rules_of_a_world_are_made_in_steps_too(world):
-    world.add("edits", '<change time="1" path="robot[r1]/@max_speed" value="0.05"/>') if "<edits" in ARENA else \
-        world.add("changes", '<change time="1" path="robot[r1]/@max_speed" value="0.05"/>')
+    world.add("changes", '<change time="1" path="robot[r1]/@max_speed" value="0.05"/>')
     run = elsie.Simulation(world)
     run.run(until=0.9)
     assert run["robot[r1]/@max_speed"] == 0.3
@@ -250,7 +248,6 @@ def test_steps_leave_other_threads_alone_and_refuse_a_second_one(world):
 
 
 def test_an_interrupt_ends_a_long_call_and_the_run_goes_on(world):
-    import _thread
     long = world.copy()
     long["limits/@time"] = 1e6
     run = elsie.Simulation(long, watch=False)

@@ -9,12 +9,7 @@ from worlds import ARENA
 
 EXPERIMENT = """<experiment format="1" name="speeds">
   <worlds><world file="arena.xml"/></worlds>
-  <factors>
-    <factor name="speed">
-      <level label="slow"><set path="robot[r1]/@max_speed" value="0.1"/></level>
-      <level label="fast"><set path="robot[r1]/@max_speed" value="0.3"/></level>
-    </factor>
-  </factors>
+  <vary name="speed" path="robot[r1]/@max_speed" values="0.1; 0.3"/>
   <seeds from="1" to="2"/>
 </experiment>
 """
@@ -51,8 +46,8 @@ def test_a_run_that_fails_ends_the_study(world):
 def test_a_batch_and_its_results(folder):
     results = elsie.batch(folder / "speeds.xml", folder / "speeds.sqlite", workers=2)
     assert len(results.runs) == 4 and len(results.cells) == 2
-    assert set(results.runs["speed"]) == {"slow", "fast"}
-    assert results.runs.groupby("speed").path_length_m.mean()["fast"] > 0
+    assert set(results.runs["speed"]) == {0.1, 0.3}
+    assert results.runs.groupby("speed").path_length_m.mean()[0.3] > 0
     assert "speeds" in results.report()
     assert list(results.table("factors")["name"]) == ["world", "speed"]
     with pytest.raises(elsie.InputError, match="run_events"):

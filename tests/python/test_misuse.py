@@ -1,0 +1,118 @@
+"""Whatever is called with whatever: an exception, never a crash."""
+import threading
+
+import numpy as np
+import pytest
+
+import elsie
+from elsie import _elsie
+from worlds import ARENA
+
+NONSENSE = [None, -1, 0, 3, 2**70, 1.5, float("nan"), float("inf"), "", "r1", "nowhere", b"x", [], {}, object(), np.zeros(3), lambda: 0]
+
+
+def attempts(seed, count):
+    """Random arguments, the same each time."""
+    random = np.random.default_rng(seed)
+    for _ in range(count):
+        yield [NONSENSE[i] for i in random.integers(0, len(NONSENSE), random.integers(0, 4))]
+
+
+METHODS = ["step", "observe", "reset", "record", "readings", "published", "image", "picture", "render", "edit", "add", "value",
+           "edit_all", "of_robots", "readings_of", "published_as", "events_from", "record_to", "reset_to", "__getitem__",
+           "__setitem__", "__delitem__", "_repr_svg_", "result", "account", "all_notes"]
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_random_arguments_of_a_simulation(method, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    run = elsie.Simulation(elsie.World.parse(ARENA), time_limit=0.5)
+    for arguments in attempts(METHODS.index(method), 60):
+        try:
+            getattr(run, method)(*arguments)
+        except Exception:  # noqa: BLE001: any exception is right
+            pass
+        run._observers.clear()
+    run.reset(1)
+    run.run()
+
+
+@pytest.mark.parametrize("method", ["add", "edit", "edit_all", "save", "picture", "value", "copy", "check", "__getitem__",
+                                    "__setitem__", "__delitem__"])
+def test_random_arguments_of_a_world(method, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    world = elsie.World.parse(ARENA)
+    for arguments in attempts(len(method), 60):
+        try:
+            getattr(world, method)(*arguments)
+        except Exception:  # noqa: BLE001
+            pass
+    elsie.Simulation(world, time_limit=0.1).run()
+
+
+@pytest.mark.parametrize("make", [elsie.World, elsie.World.parse, elsie.Simulation, elsie.Fuzzy, elsie.Fuzzy.parse, elsie.Network,
+                                  elsie.Network.load, elsie.Results])
+def test_random_arguments_of_constructors(make, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for arguments in attempts(1, 40):
+        with pytest.raises(Exception):
+            make(*arguments)
+            raise ValueError("it was right by chance")
+
+
+@pytest.mark.parametrize("kind", [elsie.World, elsie.Simulation, elsie.Fuzzy, elsie.Network])
+def test_an_object_that_was_never_made_is_refused(kind):
+    empty = kind.__new__(kind)
+    for name in dir(_elsie.__dict__[kind.__name__]):
+        if name.startswith("__"):
+            continue
+        with pytest.raises(Exception):
+            getattr(empty, name)()
+
+
+def test_a_simulation_needs_a_world():
+    with pytest.raises(TypeError):
+        elsie.Simulation()
+    with pytest.raises(elsie.InputError, match="threads"):
+        elsie.Simulation(elsie.World.parse(ARENA), threads=0)
+    with pytest.raises(elsie.InputError, match="seed"):
+        elsie.Simulation(elsie.World.parse(ARENA), seed=-1)
+    with pytest.raises(elsie.InputError, match="time_limit"):
+        elsie.Simulation(elsie.World.parse(ARENA), time_limit=0)
+
+
+def test_an_exception_in_every_callback():
+    run = elsie.Simulation(elsie.World.parse(ARENA))
+
+    def fail(now):
+        raise KeyError(now.steps)
+
+    for _ in range(3):
+        run.observe(fail)
+    for steps in range(1, 20):
+        with pytest.raises(KeyError, match=str(steps)):
+            run.run()
+
+
+def test_many_threads_on_one_simulation():
+    run = elsie.Simulation(elsie.World.parse(ARENA), time_limit=100)
+    wrong = []
+
+    def work():
+        for _ in range(200):
+            try:
+                run.step(20)
+                run.poses.sum()
+                run["robot[r1]/@max_speed"] = 0.2
+                run.render(200, 200)
+            except elsie.Error:
+                pass
+            except BaseException as error:  # noqa: BLE001
+                wrong.append(error)
+
+    threads = [threading.Thread(target=work) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not wrong

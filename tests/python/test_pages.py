@@ -1,0 +1,30 @@
+"""Every block of Python in the guide runs, and so does every notebook."""
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+SOURCE = Path(__file__).resolve().parents[2]
+PAGES = ["docs/python.md"]
+
+
+def blocks(page):
+    return re.findall(r"^```python\n(.*?)^```$", (SOURCE / page).read_text(), re.MULTILINE | re.DOTALL)
+
+
+@pytest.mark.parametrize("page", PAGES)
+@pytest.mark.filterwarnings("ignore:This process was not started")
+def test_the_blocks_of_a_page_run_in_their_order(page, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    names = {"__name__": "page"}
+    assert blocks(page)
+    for block in blocks(page):
+        exec(compile(block, page, "exec"), names)  # noqa: S102
+
+
+@pytest.mark.parametrize("notebook", sorted(path.name for path in (SOURCE / "examples/13-python").glob("*.py")))
+def test_notebooks_run(notebook, tmp_path):
+    done = subprocess.run([sys.executable, str(SOURCE / "examples/13-python" / notebook)], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
