@@ -1,6 +1,7 @@
 // Binds the bases of elsie.Fuzzy and elsie.Network.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -20,11 +21,21 @@
 #include "elsie/neural/training.h"
 #include "elsie/neural/training_set.h"
 #include "elsie/neural/weights.h"
+#include "elsie/world/data_directories.h"
+#include "elsie/world/files.h"
 
 #include "bindings.h"
 
 namespace elsie::python {
 namespace {
+
+/// The file of this name, or the shipped one; else the name, for the reader to complain about.
+std::string found(const std::string& name) {
+  std::error_code error;
+  const std::filesystem::path file(name);
+  if (file.is_absolute() || std::filesystem::exists(file, error)) return name;
+  return world::Files(name, world::default_data_directories()).find_data(name).value_or(name);
+}
 
 /// Numbers in rows; anything that numpy makes such an array of.
 using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
@@ -81,7 +92,7 @@ void bind_fuzzy(py::module_& module) {
   py::class_<fuzzy::Model>(module, "Fuzzy", "The base of elsie.Fuzzy.")
       .def(py::init([](const std::optional<std::string>& text, const std::string& file,
                        const std::string& block) {
-             return text ? fuzzy::parse_fcl(*text, file, block) : fuzzy::read_fcl(file, block);
+             return text ? fuzzy::parse_fcl(*text, file, block) : fuzzy::read_fcl(found(file), block);
            }),
            py::arg("text"), py::arg("file"), py::arg("block"))
       .def_property_readonly("name", &fuzzy::Model::name)
@@ -196,7 +207,7 @@ void bind_network(py::module_& module) {
   py::class_<neural::Weights>(module, "Network", "The base of elsie.Network.")
       .def(py::init(&drawn), py::arg("sizes"), py::arg("seed"), py::arg("method"))
       .def(py::init([](const std::string& file) {
-             return std::make_unique<neural::Weights>(neural::read_weights(file));
+             return std::make_unique<neural::Weights>(neural::read_weights(found(file)));
            }),
            py::arg("file"))
       .def_property_readonly(

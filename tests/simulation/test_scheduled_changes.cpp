@@ -3,6 +3,7 @@
 
 #include "elsie/recording/mcap_recorder.h"
 #include "elsie/recording/recorded_run.h"
+#include "elsie/simulation/run.h"
 #include "elsie/traces/trace.h"
 #include "elsie/world/reader.h"
 
@@ -49,6 +50,40 @@ TEST_CASE("Whether a run makes its changes or a caller between two steps is the 
   }
   CHECK(simulation.state_hash() == scheduled.state_hash);
   CHECK(simulation.events().size() == scheduled.events.size());
+}
+
+TEST_CASE("A caller that makes the steps of a run makes the same run") {
+  struct Counter final : simulation::Observer {
+    int started_ = 0, stepped_ = 0, ended_ = 0;
+    void started(const Simulation&) override { ++started_; }
+    void stepped(const Simulation&) override { ++stepped_; }
+    void ended(const Simulation&) override { ++ended_; }
+  } counter;
+  simulation::Observer* const observers[] = {&counter};
+  Simulation simulation(lively(), shipped(), {5});
+  {
+    simulation::Run run(simulation, observers, kChanges);
+    CHECK(counter.started_ == 1);
+    while (run.step()) {
+    }
+    CHECK_FALSE(run.step());
+    CHECK(run.end().state_hash == result_of(5, kChanges).state_hash);
+    CHECK(run.end().steps == static_cast<std::uint64_t>(counter.stepped_));
+  }
+  CHECK(counter.ended_ == 1);
+}
+
+TEST_CASE("A run that failed throws the same at every later step") {
+  struct Refusing final : simulation::Observer {
+    void stepped(const Simulation&) override { throw std::runtime_error("enough"); }
+  } refusing;
+  simulation::Observer* const observers[] = {&refusing};
+  Simulation simulation(lively(), shipped(), {5});
+  simulation::Run run(simulation, observers);
+  CHECK_THROWS_WITH(run.step(), "enough");
+  CHECK_THROWS_WITH(run.step(), "enough");
+  CHECK_THROWS_WITH(run.end(), "enough");
+  CHECK(simulation.steps() == 1);
 }
 
 TEST_CASE("After a reset a run with changes and one without are those of a new simulation") {
