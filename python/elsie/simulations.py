@@ -237,6 +237,9 @@ class Simulation(_elsie.Simulation, Paths):
         """The same as pixels: (height, width, 3), red, green, blue. bare: without axes, legend and names."""
         return _elsie.render_run(self, width, height, bare)
 
+    def __reduce__(self) -> tuple[object, ...]:
+        raise TypeError("a simulation cannot be copied or pickled; make another one of the same world and seed")
+
     def __repr__(self) -> str:
         return f"<elsie.Simulation, {self._headline()}>"
 

@@ -62,20 +62,32 @@ class World(_elsie.World, Paths):
 
         plugins: folders, libraries (.so), sources (.cpp, which are compiled) and scripts (.py) that are searched first.
         """
-        _elsie.World.__init__(self, None, os.fspath(file), [os.fspath(each) for each in plugins])
+        self._plugins = [os.fspath(each) for each in plugins]
+        _elsie.World.__init__(self, None, os.fspath(file), self._plugins)
 
     @classmethod
     def parse(cls, text: str, *, file: File = "world.xml", plugins: Sequence[File] = ()) -> World:
         """The world of a text. `file`: its name in messages; other files are searched in the folder of that name first."""
         world = cls.__new__(cls)
-        _elsie.World.__init__(world, text, os.fspath(file), [os.fspath(each) for each in plugins])
+        world._plugins = [os.fspath(each) for each in plugins]
+        _elsie.World.__init__(world, text, os.fspath(file), world._plugins)
         return world
 
     def copy(self) -> World:
         """The same world, to be edited apart."""
         world = World.__new__(World)
+        world._plugins = self._plugins
         _elsie.World.__init__(world, self)
         return world
+
+    __copy__ = copy
+
+    def __deepcopy__(self, _: object) -> World:
+        return self.copy()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For pickle: another process reads the text again, with the same plugins."""
+        return _restored, (self.text, self.file, self._plugins)
 
     def check(self) -> list[Problem]:
         """What is allowed but doubtful: settings that the physics may not simulate well, edits that are never made.
@@ -101,3 +113,7 @@ class World(_elsie.World, Paths):
 
     def _repr_svg_(self) -> str:
         return _elsie.svg_of_world(self, 700)
+
+
+def _restored(text: str, file: str, plugins: list[str]) -> World:
+    return World.parse(text, file=file, plugins=plugins)

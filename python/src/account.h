@@ -9,11 +9,12 @@
 #include "elsie/traces/account_recorder.h"
 
 #include "bindings.h"
+#include "made.h"
 
 namespace elsie::python {
 
 /// Of a run that has ended. It needs no simulation any more.
-class Account {
+class Account : public Made {
  public:
   explicit Account(std::shared_ptr<const traces::AccountRecorder> recorder)
       : recorder_(std::move(recorder)) {}

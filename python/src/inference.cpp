@@ -25,9 +25,20 @@
 #include "elsie/world/files.h"
 
 #include "bindings.h"
+#include "made.h"
 
 namespace elsie::python {
 namespace {
+
+struct Fuzzy : Made {
+  explicit Fuzzy(fuzzy::Model read) : model(std::move(read)) {}
+  fuzzy::Model model;
+};
+
+struct Network : Made {
+  explicit Network(neural::Weights read) : weights(std::move(read)) {}
+  neural::Weights weights;
+};
 
 /// The file of this name, or the shipped one; else the name, for the reader to complain about.
 std::string found(const std::string& name) {
@@ -89,23 +100,26 @@ py::list variables_of(const Variables& variables) {
 }
 
 void bind_fuzzy(py::module_& module) {
-  py::class_<fuzzy::Model>(module, "Fuzzy", "The base of elsie.Fuzzy.")
+  py::class_<Fuzzy>(module, "Fuzzy", "The base of elsie.Fuzzy.")
       .def(py::init([](const std::optional<std::string>& text, const std::string& file,
                        const std::string& block) {
-             return text ? fuzzy::parse_fcl(*text, file, block) : fuzzy::read_fcl(found(file), block);
+             return made<Fuzzy>(text ? fuzzy::parse_fcl(*text, file, block)
+                                     : fuzzy::read_fcl(found(file), block));
            }),
            py::arg("text"), py::arg("file"), py::arg("block"))
-      .def_property_readonly("name", &fuzzy::Model::name)
-      .def("all_inputs", [](const fuzzy::Model& self) { return variables_of(self.inputs()); })
-      .def("all_outputs", [](const fuzzy::Model& self) { return variables_of(self.outputs()); })
+      .def_property_readonly("name", [](const Fuzzy& self) { return self.model.name(); })
+      .def("all_inputs", [](const Fuzzy& self) { return variables_of(self.model.inputs()); })
+      .def("all_outputs", [](const Fuzzy& self) { return variables_of(self.model.outputs()); })
       .def("all_rules",
-           [](const fuzzy::Model& self) {
+           [](const Fuzzy& self) {
              py::list rules;
-             for (const fuzzy::Rule& rule : self.rules()) rules.append(rule.text);
+             for (const fuzzy::Rule& rule : self.model.rules()) rules.append(rule.text);
              return rules;
            })
-      .def("rows", &evaluate)
-      .def("degrees_of_rows", &degrees);
+      .def("rows",
+           [](const Fuzzy& self, const Rows& inputs) { return evaluate(self.model, inputs); })
+      .def("degrees_of_rows",
+           [](const Fuzzy& self, const Rows& inputs) { return degrees(self.model, inputs); });
 }
 
 neural::Method method_of(const std::string& name) {
@@ -114,19 +128,19 @@ neural::Method method_of(const std::string& name) {
   throw base::BadInput("method: expected 'standard' or 'original', found '" + name + "'");
 }
 
-std::unique_ptr<neural::Weights> drawn(const std::vector<int>& sizes, std::uint64_t seed,
-                                       const std::string& method) {
+std::unique_ptr<Network> drawn(const std::vector<int>& sizes, std::uint64_t seed,
+                               const std::string& method) {
   neural::Network network(sizes);
   Random random = neural::stream_of_seed(seed);
   network.randomize(random, method_of(method));
-  return std::make_unique<neural::Weights>(neural::Weights{std::move(network), {}});
+  return made<Network>(neural::Weights{std::move(network), {}});
 }
 
 /// (how it ended, presentations, [(presentations, error), ...])
-py::tuple train(neural::Weights& self, const Rows& inputs, const Rows& targets,
-                double learning_rate, double momentum, const std::string& method, double threshold,
+py::tuple train(Network& self, const Rows& inputs, const Rows& targets, double learning_rate,
+                double momentum, const std::string& method, double threshold,
                 std::uint64_t presentations) {
-  neural::Network& network = self.network;
+  neural::Network& network = self.weights.network;
   require_columns(inputs, network.inputs(), "inputs");
   require_columns(targets, network.outputs(), "targets");
   if (inputs.shape(0) != targets.shape(0)) {
@@ -153,9 +167,17 @@ py::tuple train(neural::Weights& self, const Rows& inputs, const Rows& targets,
       training.presentations, curve);
 }
 
+void require_layer(const neural::Network& network, std::size_t layer) {
+  if (layer >= network.layers()) {
+    throw base::BadInput("there is no layer " + std::to_string(layer) + " of neurons; there are " +
+                         std::to_string(network.layers()));
+  }
+}
+
 /// A row for each neuron of a layer: the weights of its inputs, then its bias.
-Rows weights_of(const neural::Weights& self, std::size_t layer) {
-  const neural::Network& network = self.network;
+Rows weights_of(const Network& self, std::size_t layer) {
+  const neural::Network& network = self.weights.network;
+  require_layer(network, layer);
   const std::size_t inputs = network.inputs(layer), neurons = network.neurons(layer);
   Rows rows({static_cast<py::ssize_t>(neurons), static_cast<py::ssize_t>(inputs + 1)});
   auto at = rows.mutable_unchecked<2>();
@@ -169,12 +191,9 @@ Rows weights_of(const neural::Weights& self, std::size_t layer) {
   return rows;
 }
 
-void set_weights(neural::Weights& self, std::size_t layer, const Rows& rows) {
-  neural::Network& network = self.network;
-  if (layer >= network.layers()) {
-    throw base::BadInput("there is no layer " + std::to_string(layer) + " of neurons; there are " +
-                         std::to_string(network.layers()));
-  }
+void set_weights(Network& self, std::size_t layer, const Rows& rows) {
+  neural::Network& network = self.weights.network;
+  require_layer(network, layer);
   const std::size_t inputs = network.inputs(layer), neurons = network.neurons(layer);
   require_columns(rows, inputs + 1, "weights");
   if (static_cast<std::size_t>(rows.shape(0)) != neurons) {
@@ -191,33 +210,34 @@ void set_weights(neural::Weights& self, std::size_t layer, const Rows& rows) {
   network = std::move(next);
 }
 
-Rows evaluate_network(const neural::Weights& self, const Rows& inputs) {
-  require_columns(inputs, self.network.inputs(), "inputs");
+Rows evaluate_network(const Network& self, const Rows& inputs) {
+  require_columns(inputs, self.weights.network.inputs(), "inputs");
   for (py::ssize_t i = 0; i < inputs.size(); ++i) {
     if (!std::isfinite(inputs.data()[i])) {
       throw base::BadInput("inputs: expected finite numbers only");
     }
   }
-  neural::Workspace workspace(self.network);
-  return answers(inputs, self.network.outputs(),
-                 [&](auto in, auto out) { self.network.evaluate(in, out, workspace); });
+  const neural::Network& network = self.weights.network;
+  neural::Workspace workspace(network);
+  return answers(inputs, network.outputs(),
+                 [&](auto in, auto out) { network.evaluate(in, out, workspace); });
 }
 
 void bind_network(py::module_& module) {
-  py::class_<neural::Weights>(module, "Network", "The base of elsie.Network.")
+  py::class_<Network>(module, "Network", "The base of elsie.Network.")
       .def(py::init(&drawn), py::arg("sizes"), py::arg("seed"), py::arg("method"))
       .def(py::init([](const std::string& file) {
-             return std::make_unique<neural::Weights>(neural::read_weights(found(file)));
+             return made<Network>(neural::read_weights(found(file)));
            }),
            py::arg("file"))
       .def_property_readonly(
           "sizes",
-          [](const neural::Weights& self) {
-            const auto sizes = self.network.sizes();
+          [](const Network& self) {
+            const auto sizes = self.weights.network.sizes();
             return py::tuple(py::cast(std::vector<int>(sizes.begin(), sizes.end())));
           })
-      .def("save_as", [](const neural::Weights& self,
-                      const std::string& file) { neural::write_weights(self, file); })
+      .def("save_as", [](const Network& self,
+                         const std::string& file) { neural::write_weights(self.weights, file); })
       .def("layer", &weights_of)
       .def("set_layer", &set_weights)
       .def("rows", &evaluate_network)

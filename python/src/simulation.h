@@ -17,6 +17,7 @@
 #include "elsie/traces/tracks.h"
 
 #include "bindings.h"
+#include "made.h"
 #include "tables.h"
 #include "world.h"
 
@@ -34,7 +35,7 @@ struct SimulationOptions {
 /// A simulation and its run, which begins with the first step. Members are called with the GIL;
 /// advance() gives it away. While it does, every other member throws base::Error: nobody sees the
 /// middle of a step.
-class Simulation {
+class Simulation : public Made {
  public:
   Simulation(const World& world, const SimulationOptions& options);
   ~Simulation();

@@ -48,7 +48,7 @@ Simulation::Simulation(const World& world, const SimulationOptions& options)
   }
   world::World described = world.description(options.seed, options.time_limit_s);
   if (described.drawn && described.drawn->by_run) {
-    drawn_ = std::make_unique<World>(world.text(), world.file(), host_);
+    drawn_ = made<World>(world.text(), world.file(), host_);
   }
   const py::gil_scoped_release released;  // networks may learn now
   simulation_ =
@@ -236,8 +236,8 @@ void bind_simulations(py::module_& module) {
   py::class_<Simulation>(module, "Simulation", "The base of elsie.Simulation.")
       .def(py::init([](const World& world, std::uint64_t seed, std::size_t threads,
                        std::optional<double> time_limit_s, bool trace, bool paths) {
-             return std::make_unique<Simulation>(
-                 world, SimulationOptions{seed, threads, time_limit_s, trace, paths});
+             return made<Simulation>(world,
+                                     SimulationOptions{seed, threads, time_limit_s, trace, paths});
            }),
            py::arg("world"), py::arg("seed"), py::arg("threads"), py::arg("time_limit"),
            py::arg("trace"), py::arg("paths"))
@@ -251,10 +251,9 @@ void bind_simulations(py::module_& module) {
              return value_at(self.now().world(), *self.shared_host(), path);
            })
       .def("account",
-           [](Simulation& self) -> std::optional<Account> {
+           [](Simulation& self) -> std::unique_ptr<Account> {
              auto recorder = self.account();
-             if (!recorder) return std::nullopt;
-             return Account(std::move(recorder));
+             return recorder ? made<Account>(std::move(recorder)) : nullptr;
            })
       .def("record_to", &Simulation::record)
       .def("of_robots", [](Simulation& self,

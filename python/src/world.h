@@ -12,11 +12,12 @@
 #include "elsie/world/description.h"
 
 #include "bindings.h"
+#include "made.h"
 
 namespace elsie::python {
 
 /// Used with the GIL held.
-class World {
+class World : public Made {
  public:
   /// `file`: the name of the text in messages; other files are searched in its folder first. Throws
   /// world::WorldError.

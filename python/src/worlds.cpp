@@ -33,7 +33,7 @@ World::World(std::string text, std::string file, std::shared_ptr<const plugin::H
 std::unique_ptr<World> World::open(const std::string& file,
                                    std::shared_ptr<const plugin::Host> host) {
   const std::string found = world::find_document(file, world::default_data_directories());
-  return std::make_unique<World>(world::read_text(found), found, std::move(host));
+  return made<World>(world::read_text(found), found, std::move(host));
 }
 
 world::World World::description(std::optional<std::uint64_t> seed,
@@ -104,12 +104,12 @@ void bind_worlds(py::module_& module) {
       .def(py::init([](const std::optional<std::string>& text, const std::string& file,
                        const std::vector<std::string>& plugins) {
              auto host = host_with(plugins);
-             return text ? std::make_unique<World>(*text, file, std::move(host))
+             return text ? made<World>(*text, file, std::move(host))
                          : World::open(file, std::move(host));
            }),
            py::arg("text"), py::arg("file"), py::arg("plugins"))
       .def(py::init([](const World& other) {
-             return std::make_unique<World>(other.text(), other.file(), other.shared_host());
+             return made<World>(other.text(), other.file(), other.shared_host());
            }),
            py::arg("other"))
       .def_property_readonly("text", &World::text)

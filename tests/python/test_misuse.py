@@ -1,4 +1,6 @@
 """Whatever is called with whatever: an exception, never a crash."""
+import copy
+import pickle
 import threading
 
 import numpy as np
@@ -68,6 +70,15 @@ def test_an_object_that_was_never_made_is_refused(kind):
             continue
         with pytest.raises(Exception):
             getattr(empty, name)()
+
+
+def test_a_simulation_is_not_copied_but_a_world_is():
+    world = elsie.World.parse(ARENA)
+    run = elsie.Simulation(world)
+    for copying in (copy.copy, copy.deepcopy, pickle.dumps):
+        with pytest.raises(TypeError, match="another one"):
+            copying(run)
+    assert str(copy.deepcopy(world)) == str(copy.copy(world)) == str(pickle.loads(pickle.dumps(world))) == ARENA
 
 
 def test_a_simulation_needs_a_world():

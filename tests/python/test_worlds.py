@@ -36,7 +36,7 @@ def test_attributes_are_read_with_their_types_and_defaults(world):
     assert world["robot[r1]/behavior[wander]/@priority"] == 1.0
     assert isinstance(world["robot[r1]/behavior[wander]/@speed"], float)
     assert world["robot[r1]/@id"] == "r1"
-    assert world["robot[r1]/coordinator/@weighted"] is False or world["robot[r2]/coordinator/@weighted"] is False
+    assert world["robot[r2]/coordinator/@weighted"] is False
     assert world["robot[*]/@max_speed"] == [0.3, 0.5]
 
 
@@ -120,9 +120,9 @@ def test_a_copy_is_edited_apart(world):
 
 
 def test_check_says_what_is_doubtful(world):
-    world["physics/@step"] = 0.05
-    world["physics/@engine"] = "ode"
-    assert any("step" in problem.sentence for problem in world.check())
+    world.edit({"physics/@engine": "ode", "physics/@cfm": 0})
+    (problem,) = world.check()
+    assert problem.file == "world.xml" and "cfm is 0" in problem.sentence
 
 
 def test_pictures_of_a_world(world, tmp_path):
