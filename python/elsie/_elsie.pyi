@@ -46,7 +46,8 @@ class Account:
     def behaviors(self, robot: str) -> npt.NDArray[Any]: ...
 
 class Simulation:
-    def __init__(self, world: World, seed: int, threads: int, time_limit: Optional[float], trace: bool, paths: bool) -> None: ...
+    def __init__(self, world: World, seed: int, threads: int, time_limit: Optional[float],
+                 edits: list[tuple[str, Union[str, bool, int, float]]], trace: bool, paths: bool) -> None: ...
     @property
     def robots(self) -> list[str]:
         """Ids, in the order of all arrays with a row for each robot."""

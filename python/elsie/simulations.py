@@ -3,8 +3,9 @@ from __future__ import annotations
 
 import math
 import os
+import sys
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, Optional, Union
 
 import numpy as np
@@ -26,13 +27,22 @@ def same_bits() -> bool:
     return _elsie.has_fixed_arithmetic()
 
 
-def _note_of_bits() -> list[Note]:
+def _levels_inside() -> int:
+    """For warnings: how many calls down the stack the user's own line is, seen from the caller."""
+    levels, frame = 1, sys._getframe(1)
+    while frame is not None and frame.f_globals.get("__name__", "").split(".")[0] == "elsie" and frame.f_back is not None:
+        levels, frame = levels + 1, frame.f_back
+    return levels
+
+
+def note_of_bits() -> list[Note]:
+    """For each result of this process; warns at the first call."""
     global _warned
     if same_bits():
         return []
     if not _warned:
         _warned = True
-        warnings.warn(_OTHER_BITS, RuntimeWarning, stacklevel=4)
+        warnings.warn(_OTHER_BITS, RuntimeWarning, stacklevel=_levels_inside())
     return [Note("", "python", _OTHER_BITS)]
 
 
@@ -71,13 +81,14 @@ class Simulation(_elsie.Simulation, Paths):
     """
 
     def __init__(self, world: Union[World, File], seed: int = 1, *, threads: int = 1, time_limit: Optional[float] = None,
-                 watch: Optional[bool] = None) -> None:
+                 edits: Optional[Mapping[str, Value]] = None, watch: Optional[bool] = None) -> None:
         """Makes all objects of the world.
 
         seed: of all randomness in the run, from 0 to 2**64 - 1. threads: in which robots sense and decide; the run is the
-        same with any number. time_limit: simulated seconds after which the run ends, instead of the world's. watch: keep
-        the paths of robots, for pictures, and who decides, for `Result.trace`; None: for at most 100 robots. Later edits of
-        `world` do not change this simulation.
+        same with any number. time_limit: simulated seconds after which the run ends, instead of the world's. edits: values
+        by paths, as of `elsie run --set`; they also reach what the layouts of a world draw. watch: keep the paths of robots,
+        for pictures, and who decides, for `Result.trace`; None: for at most 100 robots. Later edits of `world` do not
+        change this simulation.
         """
         read = world if isinstance(world, _elsie.World) else World(world)
         _require_seed(seed)
@@ -86,12 +97,12 @@ class Simulation(_elsie.Simulation, Paths):
         if time_limit is not None and not 0 < time_limit < math.inf:
             raise InputError(f"time_limit: expected a number of seconds above 0, not {time_limit}")
         is_watched = len(read.robots) <= _MOST_WATCHED if watch is None else watch
-        _elsie.Simulation.__init__(self, read, seed, threads, time_limit, is_watched, is_watched)
+        _elsie.Simulation.__init__(self, read, seed, threads, time_limit, list((edits or {}).items()), is_watched, is_watched)
         self._observers: list[_Observer] = []
         self._is_observed = False
         self._events: list[Event] = []
         self._ended: Optional[Result] = None
-        self._more_notes = _note_of_bits()
+        self._more_notes = note_of_bits()
 
     # Steps
 

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 from elsie import _elsie
 from elsie.errors import Error, InputError, PluginError, Problem
 from elsie.results import Result
-from elsie.simulations import Simulation
+from elsie.simulations import Simulation, note_of_bits
 from elsie.worlds import File, Value, World
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ def run(world: Union[World, File], seeds: Iterable[int] = range(1, 2), *,
         elsie.run("worlds/maze.xml", seeds=range(20))
         elsie.run(world, range(10), edits={"robot[r1]/@max_speed": [0.1, 0.2]})
 
-    edits: values by paths; a list of values is a factor: all combinations are run. workers: runs at the same time, in
+    edits: values by paths, as of `--set`; a list of values is a factor: all combinations are run. workers: runs at the same time, in
     threads; None: one for each processor. time_limit: simulated seconds, instead of the world's.
 
     Columns: a column for each edit, by its path; seed, outcome, success, time_s (simulated), the measures by name, steps,
@@ -46,19 +46,15 @@ def run(world: Union[World, File], seeds: Iterable[int] = range(1, 2), *,
     read = world if isinstance(world, World) else World(world)
     cells = list(_cells(edits or {}))
     seeds = list(seeds)
-    worlds = []
-    for cell in cells:
-        edited = read.copy()
-        edited.edit(cell)
-        worlds.append(edited)
     processors = len(os.sched_getaffinity(0))
     count = processors if workers is None else workers
     if count < 1:
         raise InputError(f"workers: expected a whole number of at least 1, not {count}")
     stop = threading.Event()
+    note_of_bits()
 
     def one(place: int, seed: int) -> dict[str, Any]:
-        made = Simulation(worlds[place], seed, time_limit=time_limit, watch=False)
+        made = Simulation(read, seed, time_limit=time_limit, edits=cells[place], watch=False)
         while made.outcome == "running" and not stop.is_set():
             made.step(_STEPS_BETWEEN_LOOKS)
         return {**cells[place], **_row(made.result())}
@@ -179,7 +175,7 @@ class Results:
         the run is the same.
         """
         with sqlite3.connect(f"file:{Path(self.file).resolve()}?mode=ro", uri=True) as connection:
-            row = connection.execute("SELECT world_text, world_file, seed FROM run_worlds JOIN runs ON runs.id = run_id "
+            row = connection.execute("SELECT run_worlds.world_text, world_file, seed FROM run_worlds JOIN runs ON runs.id = run_id "
                                      "JOIN cells ON cells.id = cell_id WHERE run_id = ?", (run,)).fetchone()
         if row is None:
             raise InputError(f"{self.file}: there is no run {run}")

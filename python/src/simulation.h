@@ -28,6 +28,7 @@ struct SimulationOptions {
   std::uint64_t seed = 1;
   std::size_t threads = 1;
   std::optional<double> time_limit_s{};  // s, instead of the world's
+  std::vector<std::string> edits{};      // of the world, before the run
   bool trace = false;                    // sums up who decides
   bool paths = false;                    // keeps the paths of robots, for pictures
 };

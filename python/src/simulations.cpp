@@ -46,7 +46,7 @@ Simulation::Simulation(const World& world, const SimulationOptions& options)
   if (options.threads < 1) {
     throw base::BadInput("threads: expected a whole number of at least 1, not 0");
   }
-  world::World described = world.description(options.seed, options.time_limit_s);
+  world::World described = world.description(options.seed, options.time_limit_s, options.edits);
   if (described.drawn && described.drawn->by_run) {
     drawn_ = made<World>(world.text(), world.file(), host_);
   }
@@ -143,7 +143,8 @@ void Simulation::reset(std::optional<std::uint64_t> seed) {
   if (seed) options_.seed = *seed;
   if (is_other && drawn_) {
     simulation_ = std::make_unique<simulation::Simulation>(
-        drawn_->description(seed, options_.time_limit_s), *host_, options_of(options_));
+        drawn_->description(seed, options_.time_limit_s, options_.edits), *host_,
+        options_of(options_));
     watcher_->is_new = true;
   } else {
     watcher_->is_new = watcher_->is_new || simulation_->has_edits();
@@ -235,12 +236,13 @@ void bind_simulations(py::module_& module) {
       .def("behaviors", &Account::behaviors);
   py::class_<Simulation>(module, "Simulation", "The base of elsie.Simulation.")
       .def(py::init([](const World& world, std::uint64_t seed, std::size_t threads,
-                       std::optional<double> time_limit_s, bool trace, bool paths) {
-             return made<Simulation>(world,
-                                     SimulationOptions{seed, threads, time_limit_s, trace, paths});
+                       std::optional<double> time_limit_s, const py::list& edits, bool trace,
+                       bool paths) {
+             return made<Simulation>(world, SimulationOptions{seed, threads, time_limit_s,
+                                                              texts_of(edits), trace, paths});
            }),
            py::arg("world"), py::arg("seed"), py::arg("threads"), py::arg("time_limit"),
-           py::arg("trace"), py::arg("paths"))
+           py::arg("edits"), py::arg("trace"), py::arg("paths"))
       .def("advance", &Simulation::advance)
       .def("end", [](Simulation& self) { return dict_of(self.end()); })
       .def("result_fields", [](Simulation& self) { return dict_of(self.now().result()); })

@@ -63,6 +63,12 @@ std::vector<std::pair<std::string, std::string>> edits_of(const py::list& given)
   return edits;
 }
 
+std::vector<std::string> texts_of(const py::list& given) {
+  std::vector<std::string> texts;
+  for (const auto& [path, value] : edits_of(given)) texts.push_back(path + "=" + value);
+  return texts;
+}
+
 py::object value_at(const world::World& world, const plugin::Host& host, const std::string& path) {
   try {
     const world::Attributes attributes(world, host);

@@ -19,6 +19,9 @@ std::string text_of(const py::handle& value);
 /// The paths and texts of a list of (path, value).
 std::vector<std::pair<std::string, std::string>> edits_of(const py::list& given);
 
+/// The same as "PATH=VALUE".
+std::vector<std::string> texts_of(const py::list& given);
+
 /// The value of the attribute that a path leads to, its default if the file does not set it; None
 /// if it has none; a list if the path leads to several. Throws base::BadInput.
 py::object value_at(const world::World& world, const plugin::Host& host, const std::string& path);

@@ -31,10 +31,12 @@ class World : public Made {
   const std::string& file() const { return document_.file(); }
   /// The world for seed 1.
   const world::World& description() const { return document_.world(); }
-  /// The world for a run with this seed and time limit, as the program reads it. Its robots are
-  /// shared with other descriptions until one changes them. Throws world::WorldError.
+  /// The world for a run with this seed, time limit and edits ("PATH=VALUE", as of --set), as the
+  /// program reads it. Its robots are shared with other descriptions until one changes them.
+  /// Throws world::WorldError.
   world::World description(std::optional<std::uint64_t> seed,
-                           std::optional<double> time_limit_s = {}) const;
+                           std::optional<double> time_limit_s = {},
+                           const std::vector<std::string>& edits = {}) const;
 
   /// Edits by paths, "PATH=VALUE": all of them or none. Throws world::WorldError.
   void edit(const std::vector<std::string>& edits) { document_.apply(edits); }

@@ -37,12 +37,14 @@ std::unique_ptr<World> World::open(const std::string& file,
 }
 
 world::World World::description(std::optional<std::uint64_t> seed,
-                                std::optional<double> time_limit_s) const {
+                                std::optional<double> time_limit_s,
+                                const std::vector<std::string>& edits) const {
   world::ReadOptions reading = reading_for(seed.value_or(1));
   const auto& drawn = description().drawn;
   const bool is_redrawn = drawn && drawn->by_run && reading.seed != 1;
-  if (!is_redrawn && !time_limit_s) return description();
+  if (!is_redrawn && !time_limit_s && edits.empty()) return description();
   reading.time_limit_s = time_limit_s;
+  reading.edits = edits;
   return world::parse_world(text(), file(), *host_, reading);
 }
 
@@ -128,12 +130,7 @@ void bind_worlds(py::module_& module) {
            [](const World& self, const std::string& path) {
              return value_at(self.description(), *self.shared_host(), path);
            })
-      .def("edit_all",
-           [](World& self, const py::list& edits) {
-             std::vector<std::string> texts;
-             for (const auto& [path, value] : edits_of(edits)) texts.push_back(path + "=" + value);
-             self.edit(texts);
-           })
+      .def("edit_all", [](World& self, const py::list& edits) { self.edit(texts_of(edits)); })
       .def("warnings", &warnings_of)
       .def("save_as", &save);
   module.def("text_of", [](const py::handle& value) { return text_of(value); });

@@ -1,10 +1,13 @@
 """Every block of Python in the guide runs, and so does every notebook."""
+import os
 import re
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+
+import elsie
 
 SOURCE = Path(__file__).resolve().parents[2]
 PAGES = ["docs/python.md"]
@@ -26,5 +29,7 @@ def test_the_blocks_of_a_page_run_in_their_order(page, tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("notebook", sorted(path.name for path in (SOURCE / "examples/13-python").glob("*.py")))
 def test_notebooks_run(notebook, tmp_path):
-    done = subprocess.run([sys.executable, str(SOURCE / "examples/13-python" / notebook)], cwd=tmp_path, capture_output=True, text=True, check=False)
+    environment = {**os.environ, "PYTHONPATH": os.path.dirname(os.path.dirname(os.path.abspath(elsie.__file__)))}
+    done = subprocess.run([sys.executable, str(SOURCE / "examples/13-python" / notebook)], cwd=tmp_path, env=environment,
+                          capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
