@@ -1,16 +1,16 @@
 # %% [markdown]
 # # Look at a run
 #
-# A robot drives through clutter. Who decided when, how near did it come to things, and would it have been faster with
-# another speed limit? Open this file in an editor that knows cells (`# %%`), or turn it into a notebook with jupytext.
+# A robot wanders among boxes with a small battery. Who decided when, how near did it come to things, and what would it
+# have done with another speed limit? Open this file in an editor that knows cells (`# %%`), or turn it into a notebook with jupytext.
 
 # %%
 import numpy as np
 
 import elsie
 
-world = elsie.World("worlds/clutter.xml")
-print(world.robots, world["robot[r1]/@max_speed"], "m/s")
+world = elsie.World("worlds/scattered/recharge.xml")
+print(world.robots, world["robot[r1]/@battery"], "units of energy")
 
 # %% [markdown]
 # ## Make steps and look
@@ -18,20 +18,20 @@ print(world.robots, world["robot[r1]/@max_speed"], "m/s")
 # Arrays are views: taken once, they show every later step. In a notebook, `run` as the last line of a cell is the picture.
 
 # %%
-run = elsie.Simulation(world, seed=7, time_limit=60)
-pose, beams = run.poses[0], run.readings("range")
-rows: list[tuple[float, float, float, float]] = []
+run = elsie.Simulation(world, seed=7, time_limit=90)
+beams = run.readings("range")
+rows: list[tuple[float, float, float]] = []
 
 
 @run.observe
 def look(now: elsie.Simulation) -> None:
-    rows.append((now.time, pose[0], pose[1], beams["distance_m"].min()))
+    rows.append((now.time, now.energies[0], beams["distance_m"].min()))
 
 
 result = run.run()
-time, x, y, nearest = np.array(rows).T
+time, energy, nearest = np.array(rows).T
 print(result)
-print(f"{result.measures['path_length_m']:.1f} m, never nearer than {nearest.min():.2f} m")
+print(f"{result.measures['path_length_m']:.1f} m, never nearer than {nearest.min():.2f} m, {energy.min():.0f} units left at the least")
 
 # %%
 run.picture("look_at_a_run.png")
@@ -61,11 +61,11 @@ print(f"mean of the nearest beam: {nearest[avoiding].mean():.2f} m while it avoi
 # %% [markdown]
 # ## The same run with an edit
 #
-# At 20 s the robot becomes slower. Until then both runs are the same, bit for bit.
+# At 30 s the robot becomes slower. Until then both runs are the same, bit for bit.
 
 # %%
-slower = elsie.Simulation(world, seed=7, time_limit=60)
-slower.run(until=20)
+slower = elsie.Simulation(world, seed=7, time_limit=90)
+slower.run(until=30)
 slower["robot[r1]/@max_speed"] = 0.2
 after = slower.run()
 print(f"{after.measures['path_length_m']:.1f} m instead of {result.measures['path_length_m']:.1f} m")

@@ -48,13 +48,17 @@ def test_steps_and_one_run_give_the_same_bits(world):
     assert elsie.Simulation(world, seed=8).run().state_hash != whole.state_hash
 
 
-@pytest.mark.parametrize("name", ["worlds/recharge.xml", "worlds/scattered/swarm.xml", "worlds/contexts.xml"])
-def test_runs_are_those_of_the_program(name):
+@pytest.mark.parametrize("name, edit", [("worlds/recharge.xml", "robot[r1]/@max_speed=0.2"), ("worlds/contexts.xml", "@name=x"),
+                                        ("worlds/scattered/swarm.xml", "robot[r1]/@max_speed=0.2"),
+                                        ("worlds/learned_arbitration.xml", "@name=x")])
+def test_runs_are_those_of_the_program(name, edit):
     """In a process that has its arithmetic."""
-    script = (f"import elsie; print(elsie.Simulation({name!r}, seed=3, time_limit=4).run().state_hash, elsie.same_bits())")
+    path, value = edit.split("=")
+    script = (f"import elsie; run = elsie.Simulation({name!r}, seed=3, time_limit=4, edits={{{path!r}: {value!r}}})\n"
+              "print(run.run().state_hash, elsie.same_bits())")
     fixed = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX,-AVX2,-FMA,-FMA4"}
     ours = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True, env={**os.environ, **fixed})
-    theirs = subprocess.run([elsie.program(), "run", name, "--seed", "3", "--duration", "4", "--json"],
+    theirs = subprocess.run([elsie.program(), "run", name, "--seed", "3", "--duration", "4", "--set", edit, "--json"],
                             capture_output=True, text=True, check=False)
     assert ours.stdout.split() == [json.loads(theirs.stdout)["state_hash"], "True"]
 
