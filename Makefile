@@ -96,11 +96,12 @@ fuzz-check: configure
 bench: all
 	scripts/benchmark $(BUILD)
 
-# The worlds of examples/08-senses, 09-acts and 10-swarms with twenty seeds: each succeeds, and fails without its sense or actuator.
+# The worlds of examples/08-senses, 09-acts and 10-swarms with twenty seeds: each succeeds, and fails without its sense or actuator. Those of 11-any-language with five.
 examples: program
 	ELSIE=$(CURDIR)/$(ELSIE) examples/08-senses/check 20
 	ELSIE=$(CURDIR)/$(ELSIE) examples/09-acts/check 20
 	ELSIE=$(CURDIR)/$(ELSIE) examples/10-swarms/check 20
+	ELSIE=$(CURDIR)/$(ELSIE) examples/11-any-language/check 5
 
 # Results of the shipped worlds over 20 seeds: docs/shipped-worlds.md.
 figures: all
