@@ -18,9 +18,9 @@ while read -r line; do
   look middle grey; middle=$number
   look right grey; right=$number
   case $left$middle$right in
-    0.01.01.0 | 0.00.01.0) last=left; echo '{"forward":0.06,"turn":1.5}' ;;
-    1.01.00.0 | 1.00.00.0) last=right; echo '{"forward":0.06,"turn":-1.5}' ;;
+    0.01.01.0 | 0.00.01.0) last=left; echo '{"forward":0.1,"turn":2}' ;;
+    1.01.00.0 | 1.00.00.0) last=right; echo '{"forward":0.1,"turn":-2}' ;;
     1.01.01.0) [ $last = left ] && echo '{"turn":2}' || echo '{"turn":-2}' ;;
-    *) echo '{"forward":0.12}' ;;
+    *) echo '{"forward":0.2}' ;;
   esac
 done

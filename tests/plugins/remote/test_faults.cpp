@@ -79,7 +79,7 @@ TEST_CASE("A line without an end, and one too many, are refused") {
   CHECK_THAT(fault_of("read -r line; head -c 3000000 /dev/zero | tr '\\0' x"),
              Contains("answered 'xxx") && Contains("the line has no end within 1 MB"));
   CHECK_THAT(fault_of(program("printf '{}\\n{}\\n'")),
-             Contains("it said '{}?' in another line; expected one line for each"));
+             Contains("it said '{}' in another line; expected one line for each"));
 }
 
 TEST_CASE("A program that says something without being asked is refused") {

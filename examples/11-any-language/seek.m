@@ -2,12 +2,11 @@
 cells = 24;
 azimuth = pi - (2 * (1:cells)' - 1) * pi / cells;  % from left to right, all around
 
-while ischar (line = fgetl (stdin))
-  now = jsondecode (line);
+do
+  now = jsondecode (input ("", "s"));  % fgetl() would wait for the beginning of the next line
   answer = struct ();
   if isfield (now, "time")
-    values = now.readings.cells.values;
-    towards = sum (values .* exp (1i * azimuth));
+    towards = sum (now.readings.cells.values .* exp (1i * azimuth));
     if abs (towards) < 1e-9
       answer.turn = 1;  % dark: it looks around
     else
@@ -18,4 +17,4 @@ while ischar (line = fgetl (stdin))
   end
   printf ("%s\n", jsonencode (answer));
   fflush (stdout);
-end
+until isfield (now, "xEnd")  % "end", which is a word of Octave
