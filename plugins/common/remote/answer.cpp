@@ -17,37 +17,37 @@ std::string shown(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// A message of this kind: a struct of double numbers, made at run time.
-struct Content {
-  std::string kind;
-  elsie::NamedNumbers numbers;
-};
-
-void visit_content(const void* at, const elsie::FieldVisit& visit) {
-  for (const auto& [name, value] : static_cast<const Content*>(at)->numbers) {
-    elsie::ReadingField field;
-    field.name = name;
-    field.at = &value;
-    visit(field);
-  }
-}
-
-/// Its layout is that of a C++ struct with these numbers in this order, so that behaviours in C++
-/// hear it as that.
+/// A message of this kind with these numbers. It is what a struct of double numbers is in C++, so
+/// that behaviours in C++ hear it as theirs.
 std::shared_ptr<const elsie::AnyMessage> message(std::string kind, elsie::NamedNumbers numbers) {
-  const auto content =
-      std::make_shared<const Content>(Content{std::move(kind), std::move(numbers)});
+  struct Content {
+    std::string kind;
+    elsie::NamedNumbers named;
+    std::vector<double> numbers;
+  };
+  const auto content = std::make_shared<Content>(Content{std::move(kind), std::move(numbers), {}});
   elsie::ReadingDeclaration layout;
-  for (const auto& [name, value] : content->numbers) {
+  for (const auto& [name, value] : content->named) {
     elsie::FieldDeclaration field;
     field.name = name;
     field.offset = layout.fields.size() * sizeof value;
     field.is_single = true;
     layout.fields.push_back(std::move(field));
+    content->numbers.push_back(value);
   }
-  const std::size_t size = std::max(content->numbers.size() * sizeof(double), std::size_t{1});
+  content->numbers.resize(std::max(content->numbers.size(), std::size_t{1}));
+  const auto visit = [content](const void* at, const elsie::FieldVisit& see) {
+    for (std::size_t i = 0; i < content->named.size(); ++i) {
+      elsie::ReadingField field;
+      field.name = content->named[i].first;
+      field.at = static_cast<const double*>(at) + i;
+      see(field);
+    }
+  };
+  const elsie::ReadingKind of{content->kind.c_str(), content->numbers.size() * sizeof(double),
+                              layout.layout()};
   return std::make_shared<const elsie::AnyMessage>(
-      elsie::ReadingKind{content->kind.c_str(), size, layout.layout()}, content, visit_content);
+      of, std::shared_ptr<const void>(content, content->numbers.data()), visit);
 }
 
 }  // namespace

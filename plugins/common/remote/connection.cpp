@@ -46,7 +46,7 @@ std::string name_of(const Program& program) {
 }
 
 /// What a program said, for a message.
-std::string shown(std::string_view said) {
+std::string in_short(std::string_view said) {
   if (said.ends_with('\n')) said.remove_suffix(1);
   return in_quotes(said, kShown);
 }
@@ -158,7 +158,7 @@ std::string Connection::ask(const std::string& line) {
   set_deadline();
   receive();
   if (!received_.empty()) {
-    fail(name_ + " said " + shown(received_) +
+    fail(name_ + " said " + in_short(received_) +
          " without being asked; expected one line for each that it is sent, and what people are to "
          "read on its standard error");
   }
@@ -192,7 +192,7 @@ std::string Connection::receive_line() {
     if (end != std::string::npos) {
       if (end + 1 < received_.size()) {
         refuse(std::string_view(received_).substr(0, end),
-               "it said " + shown(std::string_view(received_).substr(end + 1)) +
+               "it said " + in_short(std::string_view(received_).substr(end + 1)) +
                    " in another line; expected one line for each that it is sent");
       }
       std::string line = std::exchange(received_, {});
@@ -206,8 +206,9 @@ std::string Connection::receive_line() {
     if (!receive() && !wait(socket_, POLLIN)) {
       fail(name_ + " has not answered within " + elsie::base::seconds_text(timeout_s_) +
            " (its 'timeout')" +
-           (received_.empty() ? ""
-                              : "; it said " + shown(received_) + " without an end of the line"));
+           (received_.empty()
+                ? ""
+                : "; it said " + in_short(received_) + " without an end of the line"));
     }
   }
 }
@@ -281,7 +282,7 @@ void Connection::fail(const std::string& sentence) {
 void Connection::fail_by_end() {
   const std::string how = process_ != 0 && wait_for_end() ? reap() : "has closed the connection";
   fail(name_ + " " + how + " instead of answering" +
-       (received_.empty() ? "" : "; it said " + shown(received_)));
+       (received_.empty() ? "" : "; it said " + in_short(received_)));
 }
 
 }  // namespace remote

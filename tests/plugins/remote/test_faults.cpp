@@ -37,10 +37,9 @@ bool is_there(pid_t process) { return kill(process, 0) == 0 || errno != ESRCH; }
 }  // namespace
 
 TEST_CASE("What is no object in a line of JSON is shown") {
-  CHECK(fault_of(answering("turn left")) ==
-        "its program '" + answering("turn left").substr(0, 200) +
-            "...' answered 'turn left': "
-            "expected a JSON object in one line, with finite numbers");
+  CHECK_THAT(fault_of(answering("turn left")),
+             Contains("its program 'while read") &&
+                 Contains("answered 'turn left': expected a JSON object in one line"));
   for (const std::string answer :
        {"[1,2]", "1", "null", "", "{\"turn\":NaN}", "{\"turn\":1e999}", "{\"turn\":1", "{} {}"}) {
     CAPTURE(answer);
@@ -163,18 +162,21 @@ TEST_CASE("At the end the program may leave; one that stays is killed, and so ar
   CHECK_FALSE(is_running(process_in(folder.read("child"))));
 }
 
-TEST_CASE("A program has its own three files and the default signals, whoever started before it") {
+TEST_CASE("A program has no files of another one, and the default signals") {
+  std::signal(SIGUSR1, SIG_IGN);
   const Folder folder;
   const auto command = [&](const std::string& name) {
-    return "ls /proc/$$/fd | wc -l > '" + folder.file(name) + "'; grep -E 'SigIgn|SigBlk' " +
-           "/proc/self/status >> '" + folder.file(name) + "'; " + answering("{}");
+    const std::string file = " >> '" + folder.file(name) + "'; ";
+    return "ls -l /proc/$$/fd | grep -o 'socket:.*' | sort -u | wc -l" + file +
+           "grep -E 'SigIgn|SigBlk' /proc/self/status" + file + answering("{}");
   };
   Remote first(command("first")), second(command("second"));
   first.respond(Situation());
   second.respond(Situation());
-  CHECK(folder.read("first") == folder.read("second"));
-  CHECK_THAT(folder.read("first"),
-             Contains("SigBlk:\t0000000000000000") && Contains("SigIgn:\t0000000000000000"));
+  std::signal(SIGUSR1, SIG_DFL);
+  // Above the first 28 signals, the C library has some of its own.
+  CHECK_THAT(folder.read("second"),
+             Catch::Matches(R"(1\nSigBlk:\s0+\nSigIgn:\s[0-9a-f]*0000000\n)"));
 }
 
 TEST_CASE("Weights that do not fit the members are refused") {
