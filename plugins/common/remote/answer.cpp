@@ -13,8 +13,10 @@ namespace {
 
 constexpr const char* kSignal = "remote_signal";
 
+/// A value for a message. What nests is named only: there is no end to how deep it may.
 std::string shown(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (value.is_structured()) return value.is_array() ? "a list" : "an object";
+  return elsie::base::in_quotes(value.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 /// A message of this kind with these numbers. It is what a struct of double numbers is in C++, so
@@ -63,8 +65,7 @@ const Json* Answer::find(const std::string& name) {
 void Answer::refuse(const std::string& problem) const { throw Unexpected(problem + what_); }
 
 void Answer::refuse(const std::string& name, const Json& found, const std::string& expected) const {
-  refuse("its " + elsie::base::in_quotes(name) + " is " + elsie::base::in_quotes(shown(found)) +
-         "; expected " + expected);
+  refuse("its " + elsie::base::in_quotes(name) + " is " + shown(found) + "; expected " + expected);
 }
 
 std::optional<double> Answer::number(const std::string& name) {

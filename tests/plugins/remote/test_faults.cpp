@@ -81,6 +81,13 @@ TEST_CASE("A line without an end, and one too many, are refused") {
              Contains("it said '{}' in another line; expected one line for each"));
 }
 
+TEST_CASE("An answer may nest as deep as a line is long") {
+  const std::string many = "head -c 400000 /dev/zero | tr '\\0' ";
+  CHECK_THAT(
+      fault_of(program("printf '{\"forward\":'; " + many + "'['; " + many + "']'; echo '}'")),
+      Contains("its 'forward' is a list; expected a number"));
+}
+
 TEST_CASE("A program that says something without being asked is refused") {
   Remote remote("echo hello; sleep 100");
   const std::string fault = [&]() -> std::string {
