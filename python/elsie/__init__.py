@@ -11,17 +11,21 @@
 as frames of pandas. `Fuzzy` and `Network` need no simulation. docs/python.md is the guide.
 """
 from elsie import _elsie
+from elsie.environments import Env
 from elsie.errors import (EditRefused, Error, InputError, ModelError, PhysicsFault, PluginError, PluginFault, Problem, WorldError)
 from elsie.inference import Fuzzy, Network, Training, Variable
+from elsie.parallel import ParallelEnv
+from elsie.registry import make, make_vec
 from elsie.results import Event, Note, Result, RobotResult
 from elsie.simulations import Simulation, same_bits
 from elsie.studies import Results, batch, program, run
+from elsie.vector import AutoresetMode, VectorEnv
 from elsie.worlds import World
 
 __version__: str = _elsie.version
 
 __all__ = [
-    "EditRefused", "Error", "Event", "Fuzzy", "InputError", "ModelError", "Network", "Note", "PhysicsFault", "PluginError",
-    "PluginFault", "Problem", "Result", "Results", "RobotResult", "Simulation", "Training", "Variable", "World", "WorldError",
-    "batch", "program", "run", "same_bits",
+    "AutoresetMode", "EditRefused", "Env", "Error", "Event", "Fuzzy", "InputError", "ModelError", "Network", "Note", "ParallelEnv",
+    "PhysicsFault", "PluginError", "PluginFault", "Problem", "Result", "Results", "RobotResult", "Simulation", "Training", "Variable",
+    "VectorEnv", "World", "WorldError", "batch", "make", "make_vec", "program", "run", "same_bits",
 ]

@@ -23,10 +23,10 @@ namespace {
 using Names = std::vector<std::tuple<std::string, std::optional<double>, std::optional<double>>>;
 using Terms = std::optional<std::vector<std::pair<std::string, double>>>;
 
-/// What Python holds: the worlds, and the shape of the actions of one of them.
+/// What Python holds: the worlds, and the shapes of arrays that it gives and gets.
 struct Held {
   Worlds worlds;
-  std::vector<py::ssize_t> shape;
+  std::vector<py::ssize_t> shape, observed_shape;
 };
 
 std::vector<Named> named(const Names& names) {
@@ -61,7 +61,7 @@ std::unique_ptr<Held> make(const World& world, std::size_t count, std::size_t th
   const auto host = world.shared_host();
   const py::gil_scoped_release released;
   return std::unique_ptr<Held>(
-      new Held{Worlds(std::move(declared), std::move(maker), host, count, threads), {}});
+      new Held{Worlds(std::move(declared), std::move(maker), host, count, threads), {}, {}});
 }
 
 std::string text_of(const py::ssize_t* shape, std::size_t size) {
@@ -163,7 +163,7 @@ py::tuple step_alone(Held& held, const py::object& given) {
     worlds.step(span_of(actions), Renewal::told);
   }
   const std::vector<float>& observed = worlds.observations();
-  py::array_t<float> observation(static_cast<py::ssize_t>(observed.size()));
+  py::array_t<float> observation(held.observed_shape);
   std::copy(observed.begin(), observed.end(), observation.mutable_data());
   const std::vector<double>& rewards = worlds.rewards();
   return py::make_tuple(std::move(observation),
@@ -179,6 +179,7 @@ void bind_environments(py::module_& module) {
            py::arg("robots"), py::arg("observe"), py::arg("act"), py::arg("rewards"),
            py::arg("steps"), py::arg("duration"))
       .def_readwrite("action_shape", &Held::shape)
+      .def_readwrite("observation_shape", &Held::observed_shape)
       .def("observed",
            [](const Held& held, std::size_t robot) { return listed(held.worlds.observed(robot)); })
       .def("acted",

@@ -1,0 +1,317 @@
+"""Environments for learning: `Env` for one world, with what all environments share.
+
+    env = elsie.Env("worlds/clutter.xml", observe=["range.distance_m", "motion"], act="motion", steps=10)
+    observation, info = env.reset(seed=7)
+    observation, reward, terminated, truncated, info = env.step(env.action_space.sample())
+    env.save("episode.xml")                  # `elsie run episode.xml --seed 7` makes the same run again
+"""
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Optional, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from elsie import _elsie
+from elsie.errors import InputError
+from elsie.spaces import Box, Discrete, MultiDiscrete
+
+Named = Union[str, tuple[str, float, float]]
+"""A name, or a name with its least and its greatest value."""
+Reward = Union[None, str, Sequence[str], Mapping[str, float], Callable[[Any, Any, Any], Any]]
+"""Measures and values of results, with weights; or a function of observation, action and following observation."""
+WorldLike = Union[str, "os.PathLike[str]", _elsie.World]
+Floats = NDArray[np.float32]
+
+if TYPE_CHECKING:
+    _GymEnv = object
+else:
+    try:
+        from gymnasium import Env as _GymEnv
+    except ImportError:
+        _GymEnv = object
+
+
+class Setup:
+    """What an environment declares, and its worlds: shared by Env, VectorEnv and ParallelEnv.
+
+    `robots`: ids; `is_one`: the arrays have no axis for robots.
+    """
+
+    def __init__(self, world: WorldLike, count: int, threads: int, robots: Union[None, str, Sequence[str]], is_one: bool,
+                 observe: Union[Named, Sequence[Named]], act: Union[Named, Sequence[Named]], reward: Reward,
+                 steps: Optional[int], duration: Optional[float]) -> None:
+        self.world: _elsie.World = world if isinstance(world, _elsie.World) else _elsie.World(None, os.fspath(world), [])
+        self.is_one = is_one
+        self.robots = _robots_of(self.world, robots, is_one)
+        self.steps = _whole("steps", self.world.control_steps if steps is None else steps)
+        if duration is not None and not 0 < duration < np.inf:
+            raise InputError(f"duration={duration}: expected a time above 0 s")
+        self.is_choice = act == "choice"
+        self.reward = reward if callable(reward) else None
+        self.worlds = _elsie.Worlds(self.world, _whole("num_envs", count), _whole("threads", threads), self.robots,
+                                    _names("observe", observe), _names("act", "priorities" if self.is_choice else act),
+                                    None if callable(reward) else _terms(reward), self.steps, duration)
+        observed = [self.worlds.observed(i) for i in range(len(self.robots))]
+        acted = [self.worlds.acted(i) for i in range(len(self.robots))]
+        self.observation_names: list[list[str]] = [each["names"] for each in observed]
+        self.action_names: list[list[str]] = [each["names"] for each in acted]
+        self.action_ranges: list[tuple[NDArray[np.float64], NDArray[np.float64]]] = [(each["low"], each["high"]) for each in acted]
+        self.observation_spaces = [Box(each["low"].astype(np.float32), each["high"].astype(np.float32), dtype=np.float32)
+                                   for each in observed]
+        self.action_spaces: list[Any] = [Discrete(len(names)) if self.is_choice else Box(-1.0, 1.0, (len(names),), np.float32)
+                                         for names in self.action_names]
+
+    def stacked(self, kind: str) -> Any:
+        """The space of all robots together; they must have equal numbers."""
+        names = getattr(self, f"{kind}_names")
+        spaces = getattr(self, f"{kind}_spaces")
+        if self.is_one:
+            return spaces[0]
+        for robot, each in zip(self.robots, names):
+            if len(each) != len(names[0]):
+                raise InputError(f"The {kind} of robot '{robot}' has {len(each)} numbers, that of '{self.robots[0]}' "
+                                 f"{len(names[0])}; expected as many for all: name other things, or use ParallelEnv")
+        if isinstance(spaces[0], Discrete):
+            return MultiDiscrete([space.n for space in spaces])
+        return Box(np.stack([space.low for space in spaces]), np.stack([space.high for space in spaces]), dtype=np.float32)
+
+    def numbers_of(self, actions: Any, space: Any) -> Any:
+        """Actions as numbers in [-1, 1]."""
+        if not self.is_choice:
+            return actions
+        chosen = np.asarray(actions)
+        if not space.contains(chosen if chosen.shape else actions):
+            raise InputError(f"The action {actions!r} is not in {space}")
+        numbers = np.full(chosen.shape + (len(self.action_names[0]),), -1.0, np.float32)
+        np.put_along_axis(numbers, chosen[..., np.newaxis].astype(np.int64), 1.0, axis=-1)
+        return numbers
+
+    def metadata(self) -> dict[str, Any]:
+        fps = max(1, round(1.0 / (self.steps * self.world.step_s)))
+        return {"render_modes": ["rgb_array"], "render_fps": fps, "name": self.world.name or "elsie"}
+
+
+def _whole(name: str, value: int) -> int:
+    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 1:
+        raise InputError(f"{name}={value!r}: expected a whole number, at least 1")
+    return int(value)
+
+
+def _robots_of(world: _elsie.World, robots: Union[None, str, Sequence[str]], is_one: bool) -> list[str]:
+    known = list(world.robots)
+    if isinstance(robots, str) and robots != "all":
+        robots = [robots]
+    if robots == "all":
+        return known
+    if robots is None:
+        if len(known) != 1:
+            raise InputError(f"The world has {len(known)} robots: {', '.join(known[:10])}{', ...' if len(known) > 10 else ''}; "
+                             "name one with robot=..., several with robots=[...], or robots=\"all\"")
+        return known
+    chosen = list(robots)
+    if not chosen or len(set(chosen)) != len(chosen) or (is_one and len(chosen) != 1):
+        raise InputError(f"robots={chosen}: expected ids of robots, each once")
+    return chosen
+
+
+def _names(what: str, given: Union[Named, Sequence[Named]]) -> list[tuple[str, Optional[float], Optional[float]]]:
+    alone = isinstance(given, str) or (isinstance(given, tuple) and len(given) == 3 and not isinstance(given[1], (str, tuple)))
+    names: list[tuple[str, Optional[float], Optional[float]]] = []
+    for each in ([given] if alone else given):  # type: ignore[union-attr, list-item]
+        if isinstance(each, str):
+            names.append((each, None, None))
+        elif isinstance(each, tuple) and len(each) == 3 and isinstance(each[0], str):
+            names.append((each[0], float(each[1]), float(each[2])))
+        else:
+            raise InputError(f"{what}: {each!r} is no name; expected a text, or (name, least, greatest)")
+    if not names:
+        raise InputError(f"{what}: nothing is named")
+    return names
+
+
+def _terms(reward: Any) -> Optional[list[tuple[str, float]]]:
+    if reward is None:
+        return None
+    if isinstance(reward, str):
+        return [(reward, 1.0)]
+    terms = list(reward.items()) if isinstance(reward, Mapping) else [(name, 1.0) for name in reward]
+    for name, weight in terms:
+        if not isinstance(name, str) or not np.isfinite(weight):
+            raise InputError(f"reward: {name!r}: {weight!r} is no name of a measure or value with a weight")
+    return [(name, float(weight)) for name, weight in terms]
+
+
+class Base:
+    """What environments have in common, apart from Gymnasium's interface."""
+
+    _setup: Optional[Setup]
+    render_mode: Optional[str]
+
+    def _begin(self, setup: Setup, render_mode: Optional[str]) -> None:
+        if render_mode not in (None, "rgb_array"):
+            raise InputError(f"render_mode={render_mode!r}: expected \"rgb_array\" or None")
+        self._setup = setup
+        self.render_mode = render_mode
+        self.metadata = setup.metadata()
+        self.robots = tuple(setup.robots)
+
+    @property
+    def _open(self) -> Setup:
+        setup = self._setup
+        if setup is None:
+            raise InputError("This environment is closed; make a new one")
+        return setup
+
+    @property
+    def observation_names(self) -> list[list[str]]:
+        """The names of the numbers that each robot observes, in their order."""
+        return self._open.observation_names
+
+    @property
+    def action_names(self) -> list[list[str]]:
+        """The names of the numbers that each robot does."""
+        return self._open.action_names
+
+    @property
+    def action_ranges(self) -> list[tuple[NDArray[np.float64], NDArray[np.float64]]]:
+        """For each robot: what -1 and 1 stand for, in the units of the world."""
+        return self._open.action_ranges
+
+    def close(self) -> None:
+        """Gives the worlds up. May be called twice."""
+        self._setup = None
+
+    def _picture(self, world: int, width: int = 480) -> Optional[NDArray[np.uint8]]:
+        return self._open.worlds.picture(world, width) if self.render_mode == "rgb_array" else None
+
+
+class Env(Base, _GymEnv):  # type: ignore[misc]
+    """One world: a Gymnasium environment if Gymnasium is installed, with the same interface if not.
+
+    world: a file, a shipped world, or an elsie.World.
+    robot: the id of the robot that learns; or robots: several of them, or "all". Then arrays have an axis for robots, and the reward is
+        the sum over them.
+    observe: names of what is observed: "readings" (all numbers of all sensors), "range.distance_m" (of all sensors of a kind),
+        "left.hit" (of the sensor with this id), "pose", "motion", "odometry", "commanded", "energy", "charging", and published
+        numbers, "explore/avoid.clearance". (name, least, greatest) sets bounds; values beyond are clipped.
+    act: "motion"; numbers of actuators' commands, "gripper.closed"; "priorities" of the robot's own behaviours, or "choice" of one of
+        them; live parameters, "behavior[wander]/@speed". All are in [-1, 1], which stand for the bounds.
+    reward: measures that publish rewards, or values of results, with weights; None: all rewards that the world declares; or a function
+        of observation, action and following observation.
+    steps: of the physics in each step; None: a control period. duration: the limit of time, s, instead of the world's.
+    """
+
+    spec: Any = None
+
+    def __init__(self, world: WorldLike, *, robot: Optional[str] = None, robots: Union[None, str, Sequence[str]] = None,
+                 observe: Union[Named, Sequence[Named]] = "readings", act: Union[Named, Sequence[Named]] = "motion",
+                 reward: Reward = None, steps: Optional[int] = None, duration: Optional[float] = None,
+                 render_mode: Optional[str] = None) -> None:
+        if robot is not None and robots is not None:
+            raise InputError("robot=... and robots=... exclude each other")
+        setup = Setup(world, 1, 1, robot if robots is None else robots, robots is None, observe, act, reward, steps, duration)
+        self._begin(setup, render_mode)
+        self.observation_space = setup.stacked("observation")
+        self.action_space = setup.stacked("action")
+        numbers = (len(setup.action_names[0]),)
+        setup.worlds.action_shape = numbers if setup.is_one else (len(setup.robots), *numbers)
+        setup.worlds.observation_shape = self.observation_space.shape
+        self._step = setup.worlds.step_alone
+        self._plain = setup.reward is None and not setup.is_choice
+        self._before: Any = None
+        self._np_random: Optional[np.random.Generator] = None
+
+    @property
+    def unwrapped(self) -> "Env":
+        return self
+
+    @property
+    def np_random(self) -> np.random.Generator:
+        """Random numbers that reset(seed=...) begins anew; the world has its own."""
+        if self._np_random is None:
+            self._np_random = np.random.Generator(np.random.PCG64(1))
+        return self._np_random
+
+    @np_random.setter
+    def np_random(self, value: np.random.Generator) -> None:
+        self._np_random = value
+
+    def reset(self, *, seed: Optional[int] = None, options: Optional[dict[str, Any]] = None) -> tuple[Floats, dict[str, Any]]:
+        """Begins an episode: with this seed, or with the next one that follows from it. The first seed is 1."""
+        worlds = self._open.worlds
+        if seed is not None:
+            self._np_random = np.random.Generator(np.random.PCG64(checked_seed(seed)))
+            self._np_random_seed = seed
+        worlds.begin([0], [] if seed is None else [seed])
+        observation: Floats = worlds.observations.reshape(self.observation_space.shape).copy()
+        self._before = observation
+        return observation, {"seed": worlds.seed(0)}
+
+    def step(self, action: Any) -> tuple[Floats, float, bool, bool, dict[str, Any]]:
+        """Makes a step: observation, reward, terminated (a goal was reached or broken), truncated (by the limit of time), info."""
+        if self._setup is None:
+            self._open
+        if self._plain:
+            observation, reward, terminated, truncated = self._step(action)
+        else:
+            observation, reward, terminated, truncated = self._special(action)
+        if terminated or truncated:
+            return observation, reward, terminated, truncated, self._ending()
+        return observation, reward, terminated, truncated, {}
+
+    def _special(self, action: Any) -> tuple[Floats, float, bool, bool]:
+        setup = self._open
+        observation, reward, terminated, truncated = self._step(setup.numbers_of(action, self.action_space))
+        if setup.reward:
+            reward = float(setup.reward(self._before, action, observation))
+            self._before = observation
+        return observation, reward, terminated, truncated
+
+    def _ending(self) -> dict[str, Any]:
+        worlds = self._open.worlds
+        return {"outcome": worlds.outcome(0), "time_s": worlds.time_s(0)}
+
+    def robot_rewards(self) -> dict[str, float]:
+        """The rewards of the last step by robot."""
+        return dict(zip(self.robots, self._open.worlds.rewards[0].tolist()))
+
+    def render(self) -> Optional[NDArray[np.uint8]]:  # type: ignore[override, unused-ignore]
+        """The world from above: (height, width, 3)."""
+        return self._picture(0)
+
+    @property
+    def time_s(self) -> float:
+        """Simulated, of this episode."""
+        return self._open.worlds.time_s(0)
+
+    @property
+    def seed_now(self) -> int:
+        """The seed of this episode."""
+        return self._open.worlds.seed(0)
+
+    @property
+    def state_hash(self) -> str:
+        """Of the world's state, as results have it."""
+        return self._open.worlds.state_hash(0)
+
+    def save(self, file: Union[str, "os.PathLike[str]"]) -> None:
+        """Keeps the episode so far: as a world with the actions as edits (.xml), or as a recording (.mcap).
+
+        `elsie run FILE --seed N`, with the seed `seed_now`, and `elsie replay FILE` make it again, bit for bit.
+        """
+        self._open.worlds.save(0, os.fspath(file))
+
+    def __enter__(self) -> "Env":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+
+def checked_seed(seed: Any) -> int:
+    if isinstance(seed, bool) or not isinstance(seed, (int, np.integer)) or not 0 <= seed < 2**63:
+        raise InputError(f"seed={seed!r}: expected a whole number from 0 to 2^63 - 1")
+    return int(seed)
