@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from elsie import _elsie
 from elsie.errors import InputError
+from elsie.simulations import _note_of_bits as note_of_bits
 from elsie.spaces import Box, Discrete, MultiDiscrete
 
 Named = Union[str, tuple[str, float, float]]
@@ -302,13 +303,19 @@ class Env(Base, _GymEnv):  # type: ignore[misc]
 
         `elsie run FILE --seed N`, with the seed `seed_now`, and `elsie replay FILE` make it again, bit for bit.
         """
-        self._open.worlds.save(0, os.fspath(file))
+        save(self._open, 0, file)
 
     def __enter__(self) -> "Env":
         return self
 
     def __exit__(self, *_: object) -> None:
         self.close()
+
+
+def save(setup: Setup, world: int, file: Union[str, "os.PathLike[str]"]) -> None:
+    """Saves an episode. Warns once if `elsie run` would make it with other bits."""
+    note_of_bits()
+    setup.worlds.save(world, os.fspath(file))
 
 
 def checked_seed(seed: Any) -> int:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from elsie.environments import Base, Floats, Named, Reward, Setup, WorldLike, checked_seed
+from elsie.environments import Base, Floats, Named, Reward, Setup, WorldLike, checked_seed, save
 from elsie.errors import InputError
 from elsie.spaces import Box
 
@@ -145,4 +145,4 @@ class ParallelEnv(Base, _ParallelEnv):  # type: ignore[misc]
 
     def save(self, file: Union[str, "os.PathLike[str]"]) -> None:
         """Keeps the episode so far; see Env.save()."""
-        self._open.worlds.save(0, os.fspath(file))
+        save(self._open, 0, file)

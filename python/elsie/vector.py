@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from elsie.environments import Base, Floats, Named, Reward, Setup, WorldLike, checked_seed
+from elsie.environments import Base, Floats, Named, Reward, Setup, WorldLike, checked_seed, save
 from elsie.errors import InputError
 from elsie.spaces import Box, Discrete, MultiDiscrete
 
@@ -218,4 +218,4 @@ class VectorEnv(Base, _GymVectorEnv):  # type: ignore[misc]
 
     def save(self, world: int, file: Union[str, "os.PathLike[str]"]) -> None:
         """Keeps the present episode of a world; see Env.save()."""
-        self._open.worlds.save(world, os.fspath(file))
+        save(self._open, world, file)

@@ -226,10 +226,12 @@ void Acting::refuse(const simulation::Simulation& simulation, const Named& named
                        known.push_back(id);
                      known.push_back(name);
                    });
-  throw base::BadInput(
-      "act: robot '" + simulation.robot(robot_).description->id + "' has nothing that is named '" +
-      named.name + "'" + base::near_or_all(named.name, known, "it has") +
-      "; live parameters are named by their paths, such as " + "'behavior[avoid]/@priority'");
+  const std::string near = base::near_or_all(named.name, known, "it has");
+  throw base::BadInput("act: robot '" + simulation.robot(robot_).description->id +
+                       "' has nothing that is named '" + named.name + "'" + near +
+                       (near.ends_with("?") ? ""
+                                            : "; live parameters are named by their paths, such "
+                                              "as 'behavior[avoid]/@priority'"));
 }
 
 void Acting::apply(simulation::Simulation& simulation, const float* actions) const {

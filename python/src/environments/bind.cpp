@@ -72,13 +72,20 @@ std::string text_of(const py::ssize_t* shape, std::size_t size) {
 
 using Actions = py::array_t<float, py::array::c_style | py::array::forcecast>;
 
+bool has_numbers(const py::array& array) {
+  const char kind = array.dtype().kind();
+  return kind == 'f' || kind == 'i' || kind == 'u' || kind == 'b';
+}
+
 Actions actions_of(const Held& held, const py::object& given) {
-  Actions actions = Actions::ensure(given);
-  if (!actions) {
-    PyErr_Clear();
-    throw base::BadInput("An action is no array of numbers: " +
-                         std::string(py::str(py::type::of(given))));
+  if (!py::isinstance<Actions>(given)) {
+    const py::array any = py::array::ensure(given);
+    if (!any || !has_numbers(any)) {
+      PyErr_Clear();
+      throw base::BadInput("An action is no array of numbers: " + std::string(py::repr(given)));
+    }
   }
+  const Actions actions = Actions::ensure(given);
   const auto size = static_cast<std::size_t>(actions.ndim());
   if (size != held.shape.size() ||
       !std::equal(held.shape.begin(), held.shape.end(), actions.shape())) {
@@ -148,10 +155,7 @@ std::size_t checked(const Held& held, std::size_t world) {
 }
 
 const simulation::Simulation& simulation_of(const Held& held, std::size_t world) {
-  const Episode& episode = held.worlds.episode(checked(held, world));
-  if (!episode.has_begun())
-    throw base::BadInput("The environment has not begun: call reset() first");
-  return episode.simulation();
+  return held.worlds.begun_episode(checked(held, world)).simulation();
 }
 
 /// A step of the only world: what elsie.Env returns but for its info.
@@ -209,7 +213,7 @@ void bind_environments(py::module_& module) {
                          std::size_t world) { return held.worlds.outcome(checked(held, world)); })
       .def("seed",
            [](const Held& held, std::size_t world) {
-             return held.worlds.episode(checked(held, world)).seed();
+             return held.worlds.begun_episode(checked(held, world)).seed();
            })
       .def("time_s",
            [](const Held& held, std::size_t world) { return simulation_of(held, world).time_s(); })

@@ -142,10 +142,7 @@ void Episode::advance() {
 }
 
 void Episode::step(const float* actions) {
-  if (!is_sound_) {
-    throw base::BadInput(has_begun() ? "A fault has ended this episode: call reset()"
-                                     : "The environment has not begun: call reset() first");
-  }
+  if (!is_sound_) throw base::BadInput("A fault has ended this episode: call reset()");
   if (has_ended()) throw base::BadInput("This episode has ended: call reset()");
   is_sound_ = false;
   std::fill(rewards_.begin(), rewards_.end(), 0.0);
@@ -200,7 +197,7 @@ world::World Episode::kept() const {
 }
 
 void Episode::save(const std::filesystem::path& file) const {
-  if (!has_begun()) throw base::BadInput("There is no episode to save: call reset() first");
+  if (!is_sound_) throw base::BadInput("A fault has ended this episode: it cannot be saved");
   const world::World world = kept();
   if (file.extension() == ".xml") {
     world::ReadOptions reading;

@@ -43,11 +43,10 @@ class Episode {
 
   /// Begins with this seed. Throws what the world's making, and its first steps, throw.
   void begin(std::uint64_t seed);
-  /// Makes a step. `actions`: of all robots, one after the other. Throws base::BadInput before
-  /// begin(), and after a fault until the next one.
+  /// Makes a step. `actions`: of all robots, one after the other. Throws base::BadInput after
+  /// its end, and after a fault.
   void step(const float* actions);
 
-  bool has_begun() const { return simulation_ != nullptr; }
   /// Whether the run has come to its end, or the batteries of all robots are empty.
   bool has_ended() const { return terminated_ || truncated_; }
   bool terminated() const { return terminated_; }

@@ -15,6 +15,8 @@
 namespace elsie::python {
 namespace {
 
+constexpr std::uint64_t kNotBegun = static_cast<std::uint64_t>(-1);  // as number of an episode
+
 /// A fault of one of several worlds, with its number.
 template <class Fault>
 class OfWorld : public Fault {
@@ -98,8 +100,7 @@ Worlds::Worlds(Declared declared, MakeWorld make, std::shared_ptr<const plugin::
   terminated_.resize(count);
   truncated_.resize(count);
   begun_.resize(count);
-  // Nothing has begun for the user yet.
-  for (std::size_t i = 0; i < count; ++i) seeds_[i] = {i + 1, static_cast<std::uint64_t>(-1)};
+  for (std::size_t i = 0; i < count; ++i) seeds_[i] = {i + 1, kNotBegun};
 }
 
 /// Does this for the chosen worlds, in threads, and throws the failure of the first.
@@ -158,13 +159,21 @@ void Worlds::take_results(std::size_t world) {
 void Worlds::begin(const std::vector<std::size_t>& chosen, std::span<const std::uint64_t> seeds) {
   const Work work(at_work_);
   for (std::size_t i = 0; i < seeds.size(); ++i) {
-    seeds_[chosen[i]] = {seeds[i], static_cast<std::uint64_t>(-1)};
+    seeds_[chosen[i]] = {seeds[i], kNotBegun};
   }
   each(chosen, [&](std::size_t world) { begin(world); });
 }
 
+const Episode& Worlds::begun_episode(std::size_t world) const {
+  if (seeds_[world].episode == kNotBegun) {
+    throw base::BadInput("The environment has not begun: call reset() first");
+  }
+  return *episodes_[world];
+}
+
 void Worlds::step(std::span<const float> actions, Renewal renewal) {
   const Work work(at_work_);
+  for (const std::size_t world : all_) begun_episode(world);
   float sum = 0.0f;
   for (const float action : actions) sum += action - action;  // NaN if one is not finite
   if (!(sum == 0.0f)) {
@@ -199,14 +208,11 @@ void Worlds::step(std::span<const float> actions, Renewal renewal) {
 
 void Worlds::save(std::size_t world, const std::filesystem::path& file) {
   const Work work(at_work_);
-  episodes_[world]->save(file);
+  begun_episode(world).save(file);
 }
 
 Image Worlds::picture(std::size_t world, int width) const {
-  if (!episodes_[world]->has_begun()) {
-    throw base::BadInput("There is nothing to draw yet: call reset() first");
-  }
-  const simulation::Simulation& simulation = episodes_[world]->simulation();
+  const simulation::Simulation& simulation = begun_episode(world).simulation();
   picture::TopView view = recording::view_of(simulation, nullptr, [](const std::string&) {});
   view.bare = true;
   return picture::top_view_image(view, {.width = width});

@@ -64,7 +64,8 @@ class Worlds {
   /// Whether an episode began in this step.
   const std::vector<char>& begun() const { return begun_; }
 
-  const Episode& episode(std::size_t world) const { return *episodes_[world]; }
+  /// Throws base::BadInput before its first begin().
+  const Episode& begun_episode(std::size_t world) const;
   /// How the last episode ended, in words of results.
   const std::string& outcome(std::size_t world) const { return outcomes_[world]; }
   void save(std::size_t world, const std::filesystem::path& file);
