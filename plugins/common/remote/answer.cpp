@@ -54,7 +54,8 @@ std::shared_ptr<const elsie::AnyMessage> message(std::string kind, elsie::NamedN
 
 }  // namespace
 
-Answer::Answer(const Json& object, std::string what) : object_(&object), what_(std::move(what)) {}
+Answer::Answer(const Json& object, std::string where)
+    : object_(&object), where_(std::move(where)) {}
 
 const Json* Answer::find(const std::string& name) {
   read_.push_back(name);
@@ -62,7 +63,7 @@ const Json* Answer::find(const std::string& name) {
   return found == object_->end() ? nullptr : &*found;
 }
 
-void Answer::refuse(const std::string& problem) const { throw Unexpected(problem + what_); }
+void Answer::refuse(const std::string& problem) const { throw Unexpected(where_ + problem); }
 
 void Answer::refuse(const std::string& name, const Json& found, const std::string& expected) const {
   refuse("its " + elsie::base::in_quotes(name) + " is " + shown(found) + "; expected " + expected);
@@ -117,7 +118,7 @@ std::vector<Answer> Answer::list(const std::string& name) {
   if (!found->is_array()) refuse(name, *found, "a list of objects: [{...}]");
   for (const Json& each : *found) {
     if (!each.is_object()) refuse(name, *found, "a list of objects: [{...}]");
-    items.emplace_back(each, " in '" + name + "'");
+    items.emplace_back(each, "in '" + name + "', ");
   }
   return items;
 }
@@ -138,7 +139,7 @@ elsie::NamedNumbers Answer::numbers(const std::string& name) {
   const Json* const found = find(name);
   if (!found) return {};
   if (!found->is_object()) refuse(name, *found, "an object of numbers: {\"x\":1}");
-  return Answer(*found, " in '" + name + "'" + what_).rest();
+  return Answer(*found, where_ + "in '" + name + "', ").rest();
 }
 
 elsie::NamedNumbers Answer::rest() {

@@ -22,8 +22,8 @@ class Unexpected : public std::runtime_error {
 /// An object of an answer. Every function throws Unexpected for a field of another type.
 class Answer {
  public:
-  /// `what`: how sentences name it, " in 'acts'"; empty: it is the whole line.
-  explicit Answer(const Json& object, std::string what = {});
+  /// `where`: how sentences about it begin, "in 'acts', "; empty: it is the whole line.
+  explicit Answer(const Json& object, std::string where = {});
 
   bool has(const std::string& name) const { return object_->contains(name); }
   std::optional<double> number(const std::string& name);
@@ -53,7 +53,7 @@ class Answer {
                            const std::string& expected) const;
 
   const Json* object_;
-  std::string what_;
+  std::string where_;
   std::vector<std::string> read_;
 };
 

@@ -60,9 +60,9 @@ TEST_CASE("Fields that are unknown, or of another type, are named") {
       {R"({"events":["alarm"]})", "it raises the event 'alarm'; expected 'remote_signal'"},
       {R"({"acts":{"red":1}})", "expected a list of objects"},
       {R"({"acts":[{"kind":"led","red":"full"}]})",
-       R"(its 'red' is '"full"'; expected a number in 'acts')"},
+       R"(in 'acts', its 'red' is '"full"'; expected a number)"},
       {R"({"say":[{"numbers":{}}]})", "a message in 'say' has no 'kind'"},
-      {R"({"say":[{"kind":"offer","x":1}]})", "there is no field 'x'"}};
+      {R"({"say":[{"kind":"offer","x":1}]})", "in 'say', there is no field 'x'"}};
   for (const auto& [answer, problem] : all) {
     CAPTURE(answer);
     CHECK_THAT(fault_of(answering(answer)), Contains(problem));
