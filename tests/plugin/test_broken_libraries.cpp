@@ -43,8 +43,8 @@ TEST_CASE("A library that cannot be used is refused with a sentence, and not lef
   };
   const std::vector<Case> cases{
       {"other_abi", "with containers=debug, where this program has containers=plain"},
-      {"old_api", "for plugin interface 0.0, which is older than this program's 0.14"},
-      {"new_api", "for plugin interface 0.99, which is newer than this program's 0.14"},
+      {"old_api", "for plugin interface 0.0, which is older than this program's 0.15"},
+      {"new_api", "for plugin interface 0.99, which is newer than this program's 0.15"},
       {"mixed_words", "parts with different ABI words"},
       {"no_entry", "no entry point 'elsie_plugin_library' of its own"},
       {"word_changes", "one ABI word in its file and another when loaded (api=0.0;runtime=other)"},

@@ -12,7 +12,7 @@
 /// version is not above its own. Before 1.0, any change that breaks a plugin raises the minor
 /// version and older plugins are refused too.
 #define ELSIE_API_MAJOR 0
-#define ELSIE_API_MINOR 14
+#define ELSIE_API_MINOR 15
 
 #define ELSIE_ABI_TEXT_(x) #x
 #define ELSIE_ABI_TEXT(x) ELSIE_ABI_TEXT_(x)
