@@ -5,6 +5,7 @@
 
 #include <pybind11/stl.h>
 
+#include "elsie/check/doubts.h"
 #include "elsie/files/write_whole.h"
 #include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
@@ -83,6 +84,9 @@ py::list warnings_of(const World& world) {
   for (const world::Warning& warning : world::warnings(simulation.world())) {
     found.append(
         py::make_tuple(warning.location.file.text(), warning.location.line, warning.message));
+  }
+  for (const base::Problem& doubt : check::doubts(simulation)) {
+    found.append(py::make_tuple(doubt.file, doubt.line, doubt.message));
   }
   return found;
 }

@@ -58,7 +58,7 @@ MODULES = {
     "libelsie-files": ["files"],
     "libelsie-formula": ["formula"],
     "libelsie-inference": ["fuzzy", "neural", "learning"],
-    "libelsie-workshop": ["process", "build", "reference"],
+    "libelsie-workshop": ["process", "build", "reference", "check"],
     "libelsie-editing": ["editing"],
     "libelsie-render": ["render"],
     "libelsie-views": ["traces", "picture", "mcap", "recording"],

@@ -125,6 +125,11 @@ def test_check_says_what_is_doubtful(world):
     assert problem.file == "world.xml" and "cfm is 0" in problem.sentence
 
 
+def test_check_doubts_goals_that_cannot_be_meant(world):
+    world.add("goals", '<travel distance="1e6"/>')
+    assert [problem.line for problem in world.check()] == [str(world).splitlines().index('    <travel distance="1e6"/>') + 1]
+
+
 def test_pictures_of_a_world(world, tmp_path):
     assert world._repr_svg_().startswith("<svg") or "<svg" in world._repr_svg_()[:200]
     world.picture(tmp_path / "world.png")

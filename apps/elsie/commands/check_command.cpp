@@ -11,6 +11,7 @@
 #include <spdlog/spdlog.h>
 
 #include "elsie/base/words.h"
+#include "elsie/check/doubts.h"
 #include "elsie/experiment/reader.h"
 #include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
@@ -22,7 +23,6 @@
 
 #include "arguments.h"
 #include "command.h"
-#include "doubts.h"
 #include "environment.h"
 #include "progress.h"
 #include "streams.h"
@@ -75,7 +75,8 @@ std::string check_world(const std::string& text, const std::string& file, const 
   for (const world::Warning& warning : world::warnings(world)) {
     err() << warning.text() << '\n';
   }
-  for (const base::Problem& doubt : doubts(simulation)) {
+  for (base::Problem doubt : check::doubts(simulation)) {
+    doubt.message = "warning: " + doubt.message;
     err() << doubt.text() << '\n';
   }
   if (!options.quiet) print_notes(simulation, file);

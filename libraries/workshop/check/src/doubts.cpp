@@ -1,4 +1,4 @@
-#include "doubts.h"
+#include "elsie/check/doubts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/footprint.h"
 
-namespace elsie::program {
+namespace elsie::check {
 
 namespace {
 
@@ -60,7 +60,7 @@ class Doubts {
 
  private:
   void add(const base::Location& where, const std::string& sentence) {
-    problems_.push_back({where.file, where.line, "warning: " + sentence});
+    problems_.push_back({where.file, where.line, sentence});
   }
 
   /// A robot that keeps a goal about robots from being reached; null if none does.
@@ -212,4 +212,4 @@ class Doubts {
 
 std::vector<base::Problem> doubts(const Simulation& simulation) { return Doubts(simulation).all(); }
 
-}  // namespace elsie::program
+}  // namespace elsie::check
