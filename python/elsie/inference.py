@@ -48,17 +48,17 @@ class Fuzzy(_elsie.Fuzzy):
     @property
     def inputs(self) -> list[Variable]:
         """In the order of the file."""
-        return [Variable(*each) for each in self.all_inputs()]
+        return [Variable(*each) for each in self._all_inputs()]
 
     @property
     def outputs(self) -> list[Variable]:
         """In the order of the file."""
-        return [Variable(*each) for each in self.all_outputs()]
+        return [Variable(*each) for each in self._all_outputs()]
 
     @property
     def rules(self) -> list[str]:
         """As text, in the order of the file."""
-        return self.all_rules()
+        return self._all_rules()
 
     def __call__(self, **inputs: Numbers) -> dict[str, Any]:
         """The outputs by name, for inputs by name: numbers, or arrays that numpy can broadcast against each other.
@@ -75,17 +75,17 @@ class Fuzzy(_elsie.Fuzzy):
                              + (f"; there is no {', '.join(extra)}" if extra else ""))
         columns = np.broadcast_arrays(*[np.asarray(lower[name.lower()], dtype=float) for name in names])
         shape = columns[0].shape
-        answers = self.rows(np.stack([column.ravel() for column in columns], axis=1))
+        answers = self._rows(np.stack([column.ravel() for column in columns], axis=1))
         return {output.name: answers[:, i].reshape(shape) if shape else float(answers[0, i])
                 for i, output in enumerate(self.outputs)}
 
     def evaluate(self, inputs: Numbers) -> npt.NDArray[np.float64]:
         """The outputs for an array whose last axis is the inputs, in their order; the last axis of the answer is the outputs."""
-        return _by_rows(self.rows, inputs)
+        return _by_rows(self._rows, inputs)
 
     def degrees(self, inputs: Numbers) -> npt.NDArray[np.float64]:
         """How far each rule applies, from 0 to 1, likewise."""
-        return _by_rows(self.degrees_of_rows, inputs)
+        return _by_rows(self._degrees_of_rows, inputs)
 
     def __repr__(self) -> str:
         return (f"<elsie.Fuzzy {self.name!r}: {', '.join(each.name for each in self.inputs)} -> "
@@ -132,7 +132,7 @@ class Network(_elsie.Network):
 
     def save(self, file: File) -> None:
         """Writes a weight file, which plugins and `elsie train` read; every bit is kept."""
-        self.save_as(os.fspath(file))
+        self._save_as(os.fspath(file))
 
     @property
     def weights(self) -> list[npt.NDArray[np.float64]]:
@@ -140,18 +140,18 @@ class Network(_elsie.Network):
 
         To change them, set this property.
         """
-        return [self.layer(i) for i in range(len(self.sizes) - 1)]
+        return [self._layer(i) for i in range(len(self.sizes) - 1)]
 
     @weights.setter
     def weights(self, layers: Sequence[Numbers]) -> None:
         if len(layers) != len(self.sizes) - 1:
             raise InputError(f"weights: expected an array for each of {len(self.sizes) - 1} layers, found {len(layers)}")
         for i, layer in enumerate(layers):
-            self.set_layer(i, np.asarray(layer, dtype=float))
+            self._set_layer(i, np.asarray(layer, dtype=float))
 
     def evaluate(self, inputs: Numbers) -> npt.NDArray[np.float64]:
         """The answers, from 0 to 1, to an array whose last axis is the inputs; the last axis of the answer is the outputs."""
-        return _by_rows(self.rows, inputs)
+        return _by_rows(self._rows, inputs)
 
     def train(self, inputs: Numbers, targets: Numbers, *, learning_rate: float = 0.8, momentum: float = 0.3,
               threshold: float = 1e-11, presentations: int = 200_000, method: str = "standard") -> Training:
@@ -161,7 +161,7 @@ class Network(_elsie.Network):
         """
         if presentations < 1:
             raise InputError(f"presentations: expected a whole number of at least 1, not {presentations}")
-        ending, done, curve = self.train_rows(np.asarray(inputs, dtype=float), np.asarray(targets, dtype=float),
+        ending, done, curve = self._train_rows(np.asarray(inputs, dtype=float), np.asarray(targets, dtype=float),
                                               learning_rate, momentum, method, threshold, presentations)
         return Training(ending, done, np.asarray(curve, dtype=float).reshape(-1, 2))
 

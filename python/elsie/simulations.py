@@ -137,7 +137,7 @@ class Simulation(_elsie.Simulation, Paths):
         self._refuse_in_observer("reset")
         if seed is not None:
             _require_seed(seed)
-        self.reset_to(seed)
+        self._reset_to(seed)
         self._observers.clear()
         self._events.clear()
         self._ended = None
@@ -163,44 +163,44 @@ class Simulation(_elsie.Simulation, Paths):
 
         images: the pictures of cameras, too (.mcap). robots: their ids; None: all, or as many as the format takes.
         """
-        self.record_to(os.fspath(file), rate, images, robots or [])
+        self._record_to(os.fspath(file), rate, images, robots or [])
 
     # What is now
 
     @property
     def poses(self) -> npt.NDArray[np.float64]:
         """True poses: a row for each robot, in the order of `robots`: x m, y m, heading rad. A view."""
-        return self.of_robots("poses")
+        return self._of_robots("poses")
 
     @property
     def beliefs(self) -> npt.NDArray[np.float64]:
         """The poses that robots believe to have, likewise. A view."""
-        return self.of_robots("beliefs")
+        return self._of_robots("beliefs")
 
     @property
     def motions(self) -> npt.NDArray[np.float64]:
         """True motions: forward m/s, lateral m/s (left), turn rad/s (counter-clockwise). A view."""
-        return self.of_robots("motions")
+        return self._of_robots("motions")
 
     @property
     def commands(self) -> npt.NDArray[np.float64]:
         """The commands of the coordinators, as the drives can make them; units of `motions`. A view."""
-        return self.of_robots("commands")
+        return self._of_robots("commands")
 
     @property
     def energies(self) -> npt.NDArray[np.float64]:
         """Energy in the batteries, units. A view."""
-        return self.of_robots("energies")
+        return self._of_robots("energies")
 
     @property
     def distances(self) -> npt.NDArray[np.float64]:
         """Lengths of the paths driven so far, m. A view."""
-        return self.of_robots("distances")
+        return self._of_robots("distances")
 
     @property
     def collisions(self) -> npt.NDArray[np.int64]:
         """Collisions so far. A view."""
-        return self.of_robots("collisions")
+        return self._of_robots("collisions")
 
     def readings(self, name: str) -> npt.NDArray[Any]:
         """The readings of all sensors with this id, else this plugin, else this kind of reading ("range").
@@ -209,11 +209,11 @@ class Simulation(_elsie.Simulation, Paths):
         number of the reading, with the names and units of docs/sensors; arrays have a second axis. Places that a list does
         not fill are NaN. A view; all zero before the first decision. Pictures: see image().
         """
-        return self.readings_of(name)
+        return self._readings_of(name)
 
     def published(self, name: str) -> npt.NDArray[Any]:
         """The numbers that plugins publish under this name: robot (-1: a measure's), plugin (its path), value. A view."""
-        return self.published_as(name)
+        return self._published_as(name)
 
     def image(self, sensor: str, *, robot: Union[int, str] = 0, name: str = "raw") -> npt.NDArray[np.uint8]:
         """A copy of a camera's last picture, (height, width, channels); name: "raw", or what the sensor makes of it."""
@@ -222,13 +222,13 @@ class Simulation(_elsie.Simulation, Paths):
     @property
     def events(self) -> list[Event]:
         """Everything that happened so far, in order."""
-        self._events.extend(Event(*each) for each in self.events_from(len(self._events)))
+        self._events.extend(Event(*each) for each in self._events_from(len(self._events)))
         return self._events
 
     @property
     def notes(self) -> list[Note]:
         """What plugins and the simulator have to say so far."""
-        return [Note(*each) for each in self.all_notes()] + self._more_notes
+        return [Note(*each) for each in self._all_notes()] + self._more_notes
 
     def result(self) -> Result:
         """The result so far; once the run has ended, its result, with the trace."""
@@ -236,7 +236,7 @@ class Simulation(_elsie.Simulation, Paths):
             return self._ended
         if self.outcome != "running":
             return self._end()
-        return result_of(self.result_fields(), self._more_notes, None)
+        return result_of(self._result_fields(), self._more_notes, None)
 
     # Pictures
 
@@ -265,7 +265,7 @@ class Simulation(_elsie.Simulation, Paths):
         while made < steps and (not self._observers or self.time < until - 1e-6 * self.step_s):
             every_step = any(each.every is None for each in self._observers)
             due = min((each.due for each in self._observers if each.every is not None), default=math.inf)
-            more = self.advance(1 if every_step else steps - made, min(until, due))
+            more = self._advance(1 if every_step else steps - made, min(until, due))
             made += more
             if more == 0:
                 break
@@ -285,7 +285,7 @@ class Simulation(_elsie.Simulation, Paths):
             self._is_observed = False
 
     def _end(self) -> Result:
-        self._ended = result_of(self.end(), self._more_notes, self.account())
+        self._ended = result_of(self._finish(), self._more_notes, self._account())
         return self._ended
 
     def _refuse_in_observer(self, what: str) -> None:

@@ -19,31 +19,31 @@ class Paths:
     "robot[r1]/@max_speed" is an attribute, "robot[r1]/coordinator" an element; docs/worlds.md lists the forms of paths.
     """
 
-    def value(self, path: str) -> Any:
+    def _value(self, path: str) -> Any:
         raise NotImplementedError
 
-    def edit_all(self, edits: list[tuple[str, Value]]) -> None:
+    def _edit_all(self, edits: list[tuple[str, Value]]) -> None:
         raise NotImplementedError
 
     def __getitem__(self, path: str) -> Any:
         """The value of an attribute: a float, int, bool, str, or None if it has none. A list if the path leads to several."""
-        return self.value(path)
+        return self._value(path)
 
     def __setitem__(self, path: str, value: Value) -> None:
         """Sets an attribute, or replaces an element by the text of another one."""
-        self.edit_all([(path, value)])
+        self._edit_all([(path, value)])
 
     def __delitem__(self, path: str) -> None:
         """Removes an element, or an attribute, which then has its default."""
-        self.edit_all([(path + "/@remove", True)])
+        self._edit_all([(path + "/@remove", True)])
 
     def edit(self, edits: Mapping[str, Value]) -> None:
         """Makes several edits together, or none if one is refused. Values that depend on each other need this."""
-        self.edit_all(list(edits.items()))
+        self._edit_all(list(edits.items()))
 
     def add(self, where: str, element: str) -> None:
         """Adds an element at the end of a list: add("robots", '<robot id="r9" x="1"/>'), add("robot[r1]/sensors", "<lidar/>")."""
-        self.edit_all([(_elsie.path_of_new(where), element)])
+        self._edit_all([(_elsie.path_of_new(where), element)])
 
 
 class World(_elsie.World, Paths):
@@ -94,11 +94,11 @@ class World(_elsie.World, Paths):
 
         Raises `elsie.WorldError` for what only shows when the world's objects are made.
         """
-        return [Problem(*each) for each in self.warnings()]
+        return [Problem(*each) for each in self._warnings()]
 
     def save(self, file: File) -> None:
         """Writes the text. Comments and blanks are those of the file; names of other files lead to the same ones from there."""
-        self.save_as(os.fspath(file))
+        self._save_as(os.fspath(file))
 
     def picture(self, file: File, *, width: int = 1000) -> None:
         """Draws the world at its start, from above, as a .png or .svg; `width` in pixels."""

@@ -107,18 +107,19 @@ void bind_fuzzy(py::module_& module) {
                                      : fuzzy::read_fcl(found(file), block));
            }),
            py::arg("text"), py::arg("file"), py::arg("block"))
-      .def_property_readonly("name", [](const Fuzzy& self) { return self.model.name(); })
-      .def("all_inputs", [](const Fuzzy& self) { return variables_of(self.model.inputs()); })
-      .def("all_outputs", [](const Fuzzy& self) { return variables_of(self.model.outputs()); })
-      .def("all_rules",
+      .def_property_readonly(
+          "name", [](const Fuzzy& self) { return self.model.name(); }, "Of the function block.")
+      .def("_all_inputs", [](const Fuzzy& self) { return variables_of(self.model.inputs()); })
+      .def("_all_outputs", [](const Fuzzy& self) { return variables_of(self.model.outputs()); })
+      .def("_all_rules",
            [](const Fuzzy& self) {
              py::list rules;
              for (const fuzzy::Rule& rule : self.model.rules()) rules.append(rule.text);
              return rules;
            })
-      .def("rows",
+      .def("_rows",
            [](const Fuzzy& self, const Rows& inputs) { return evaluate(self.model, inputs); })
-      .def("degrees_of_rows",
+      .def("_degrees_of_rows",
            [](const Fuzzy& self, const Rows& inputs) { return degrees(self.model, inputs); });
 }
 
@@ -235,13 +236,14 @@ void bind_network(py::module_& module) {
           [](const Network& self) {
             const auto sizes = self.weights.network.sizes();
             return py::tuple(py::cast(std::vector<int>(sizes.begin(), sizes.end())));
-          })
-      .def("save_as", [](const Network& self,
-                         const std::string& file) { neural::write_weights(self.weights, file); })
-      .def("layer", &weights_of)
-      .def("set_layer", &set_weights)
-      .def("rows", &evaluate_network)
-      .def("train_rows", &train);
+          },
+          "Inputs, neurons of each hidden layer, outputs.")
+      .def("_save_as", [](const Network& self,
+                          const std::string& file) { neural::write_weights(self.weights, file); })
+      .def("_layer", &weights_of)
+      .def("_set_layer", &set_weights)
+      .def("_rows", &evaluate_network)
+      .def("_train_rows", &train);
 }
 
 }  // namespace

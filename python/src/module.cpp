@@ -6,6 +6,8 @@
 PYBIND11_MODULE(_elsie, module) {
   using namespace elsie::python;
   module.doc() = "Elsie's libraries. Use the package `elsie`.";
+  py::options options;
+  options.disable_function_signatures();  // the stub has them
   bind_errors(module);
   bind_worlds(module);
   bind_simulations(module);

@@ -243,47 +243,57 @@ void bind_simulations(py::module_& module) {
            }),
            py::arg("world"), py::arg("seed"), py::arg("threads"), py::arg("time_limit"),
            py::arg("edits"), py::arg("trace"), py::arg("paths"))
-      .def("advance", &Simulation::advance)
-      .def("end", [](Simulation& self) { return dict_of(self.end()); })
-      .def("result_fields", [](Simulation& self) { return dict_of(self.now().result()); })
-      .def("reset_to", &Simulation::reset)
-      .def("edit_all", [](Simulation& self, const py::list& edits) { self.edit(edits_of(edits)); })
-      .def("value",
+      .def("_advance", &Simulation::advance)
+      .def("_finish", [](Simulation& self) { return dict_of(self.end()); })
+      .def("_result_fields", [](Simulation& self) { return dict_of(self.now().result()); })
+      .def("_reset_to", &Simulation::reset)
+      .def("_edit_all", [](Simulation& self, const py::list& edits) { self.edit(edits_of(edits)); })
+      .def("_value",
            [](Simulation& self, const std::string& path) {
              return value_at(self.now().world(), *self.shared_host(), path);
            })
-      .def("account",
+      .def("_account",
            [](Simulation& self) -> std::unique_ptr<Account> {
              auto recorder = self.account();
              return recorder ? made<Account>(std::move(recorder)) : nullptr;
            })
-      .def("record_to", &Simulation::record)
-      .def("of_robots", [](Simulation& self,
-                           const std::string& name) { return self.table(&table_of_robots, name); })
-      .def("readings_of",
+      .def("_record_to", &Simulation::record)
+      .def("_of_robots", [](Simulation& self,
+                            const std::string& name) { return self.table(&table_of_robots, name); })
+      .def("_readings_of",
            [](Simulation& self, const std::string& name) {
              return self.table(&table_of_readings, name);
            })
-      .def("published_as",
+      .def("_published_as",
            [](Simulation& self, const std::string& name) {
              return self.table(&table_of_published, name);
            })
-      .def("events_from",
+      .def("_events_from",
            [](Simulation& self, std::size_t first) { return events_from(self.now(), first); })
-      .def("all_notes", [](Simulation& self) { return notes_of(self.now().notes()); })
-      .def_property_readonly("robots", [](Simulation& self) { return robot_ids(self.now()); })
-      .def_property_readonly("time", [](Simulation& self) { return self.now().time_s(); })
-      .def_property_readonly("time_limit",
-                             [](Simulation& self) { return self.now().time_limit_s(); })
-      .def_property_readonly("step_s",
-                             [](Simulation& self) { return self.now().world().physics.step; })
-      .def_property_readonly("steps", [](Simulation& self) { return self.now().steps(); })
-      .def_property_readonly("seed", [](Simulation& self) { return self.now().seed(); })
-      .def_property_readonly("outcome",
-                             [](Simulation& self) { return to_string(self.now().outcome()); })
-      .def_property_readonly("state_hash", [](Simulation& self) {
-        return simulation::hash_text(self.now().state_hash());
-      });
+      .def("_all_notes", [](Simulation& self) { return notes_of(self.now().notes()); })
+      .def_property_readonly(
+          "robots", [](Simulation& self) { return robot_ids(self.now()); },
+          "Ids, in the order of all arrays with a row for each robot.")
+      .def_property_readonly(
+          "time", [](Simulation& self) { return self.now().time_s(); }, "Simulated time, s.")
+      .def_property_readonly(
+          "time_limit", [](Simulation& self) { return self.now().time_limit_s(); },
+          "Simulated time after which the run ends, s.")
+      .def_property_readonly(
+          "step_s", [](Simulation& self) { return self.now().world().physics.step; },
+          "A step of the physics, s.")
+      .def_property_readonly(
+          "steps", [](Simulation& self) { return self.now().steps(); }, "Steps so far.")
+      .def_property_readonly(
+          "seed", [](Simulation& self) { return self.now().seed(); }, "Of the run.")
+      .def_property_readonly(
+          "outcome", [](Simulation& self) { return to_string(self.now().outcome()); },
+          "running, success, failure or time_limit.")
+      .def_property_readonly(
+          "state_hash",
+          [](Simulation& self) { return simulation::hash_text(self.now().state_hash()); },
+          "16 hexadecimal digits over the state of all bodies and batteries: the same in equal "
+          "runs.");
 }
 
 }  // namespace elsie::python

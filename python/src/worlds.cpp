@@ -118,25 +118,31 @@ void bind_worlds(py::module_& module) {
              return made<World>(other.text(), other.file(), other.shared_host());
            }),
            py::arg("other"))
-      .def_property_readonly("text", &World::text)
-      .def_property_readonly("file", &World::file)
-      .def_property_readonly("name", [](const World& self) { return self.description().name; })
-      .def_property_readonly("robots",
-                             [](const World& self) { return robot_ids(self.description()); })
-      .def_property_readonly("time_limit",
-                             [](const World& self) { return self.description().limits.time; })
-      .def_property_readonly("step_s",
-                             [](const World& self) { return self.description().physics.step; })
+      .def_property_readonly("text", &World::text, "The text of the file, with the edits.")
+      .def_property_readonly("file", &World::file, "The file that it was read from.")
+      .def_property_readonly(
+          "name", [](const World& self) { return self.description().name; },
+          "Of the world, as in the file.")
+      .def_property_readonly(
+          "robots", [](const World& self) { return robot_ids(self.description()); },
+          "Ids, in the order of all arrays with a row for each robot.")
+      .def_property_readonly(
+          "time_limit", [](const World& self) { return self.description().limits.time; },
+          "Simulated time after which runs end, s.")
+      .def_property_readonly(
+          "step_s", [](const World& self) { return self.description().physics.step; },
+          "A step of the physics, s.")
       .def_property_readonly(
           "control_steps",
-          [](const World& self) { return self.description().physics.control_steps; })
-      .def("value",
+          [](const World& self) { return self.description().physics.control_steps; },
+          "Steps of the physics from one decision of the robots to the next.")
+      .def("_value",
            [](const World& self, const std::string& path) {
              return value_at(self.description(), *self.shared_host(), path);
            })
-      .def("edit_all", [](World& self, const py::list& edits) { self.edit(texts_of(edits)); })
-      .def("warnings", &warnings_of)
-      .def("save_as", &save);
+      .def("_edit_all", [](World& self, const py::list& edits) { self.edit(texts_of(edits)); })
+      .def("_warnings", &warnings_of)
+      .def("_save_as", &save);
   module.def("text_of", [](const py::handle& value) { return text_of(value); });
   module.def("path_of_new", &path_of_new);
 }

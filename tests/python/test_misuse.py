@@ -20,9 +20,9 @@ def attempts(seed, count):
         yield [NONSENSE[i] for i in random.integers(0, len(NONSENSE), random.integers(0, 4))]
 
 
-METHODS = ["step", "observe", "reset", "record", "readings", "published", "image", "picture", "render", "edit", "add", "value",
-           "edit_all", "of_robots", "readings_of", "published_as", "events_from", "record_to", "reset_to", "__getitem__",
-           "__setitem__", "__delitem__", "_repr_svg_", "result", "account", "all_notes"]
+METHODS = ["step", "observe", "reset", "record", "readings", "published", "image", "picture", "render", "edit", "add", "_value",
+           "_edit_all", "_of_robots", "_readings_of", "_published_as", "_events_from", "_record_to", "_reset_to", "__getitem__",
+           "__setitem__", "__delitem__", "_repr_svg_", "result", "_account", "_all_notes"]
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -39,7 +39,7 @@ def test_random_arguments_of_a_simulation(method, tmp_path, monkeypatch):
     run.run()
 
 
-@pytest.mark.parametrize("method", ["add", "edit", "edit_all", "save", "picture", "value", "copy", "check", "__getitem__",
+@pytest.mark.parametrize("method", ["add", "edit", "_edit_all", "save", "picture", "_value", "copy", "check", "__getitem__",
                                     "__setitem__", "__delitem__"])
 def test_random_arguments_of_a_world(method, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
