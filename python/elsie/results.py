@@ -46,7 +46,7 @@ class Result:
     """What a run came to, or has come to so far."""
 
     outcome: str
-    """"success", "failure", "time_limit", or "running"."""
+    """"success", "failure", "time_limit"; "running": it has not ended; "fault": it ended with an exception."""
     reason: str
     seed: int
     time_s: float

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from elsie import _elsie
-from elsie.errors import Error, InputError
+from elsie.errors import EditRefused, Error, InputError, PhysicsFault, PluginFault
 from elsie.results import Event, Note, Result, result_of
 from elsie.worlds import File, Paths, Value, World
 
@@ -102,6 +102,7 @@ class Simulation(_elsie.Simulation, Paths):
         self._is_observed = False
         self._events: list[Event] = []
         self._ended: Optional[Result] = None
+        self._fault: Optional[Error] = None
         self._more_notes = note_of_bits()
 
     # Steps
@@ -133,7 +134,7 @@ class Simulation(_elsie.Simulation, Paths):
         return function
 
     def reset(self, seed: Optional[int] = None) -> None:
-        """Starts again at time zero, with this seed or the same. Edits, observers and recordings are forgotten."""
+        """Starts again at time zero, with this seed or the same. Edits since the start, observers and recordings are forgotten."""
         self._refuse_in_observer("reset")
         if seed is not None:
             _require_seed(seed)
@@ -141,10 +142,11 @@ class Simulation(_elsie.Simulation, Paths):
         self._observers.clear()
         self._events.clear()
         self._ended = None
+        self._fault = None
 
     def close(self) -> None:
         """Ends the run where it is, so that recordings are complete. Also at the end of `with`; may be called again."""
-        if self._ended is None:
+        if self._ended is None and self._fault is None:
             self._refuse_in_observer("close")
             self._end()
 
@@ -152,11 +154,7 @@ class Simulation(_elsie.Simulation, Paths):
         return self
 
     def __exit__(self, kind: object, error: object, trace: object) -> None:
-        try:
-            self.close()
-        except Error:
-            if error is None:
-                raise
+        self.close()
 
     def record(self, file: File, *, rate: float = 10.0, images: bool = False, robots: Optional[list[str]] = None) -> None:
         """Records the run in a .csv or .mcap file, `rate` times in a simulated second. Call it before the first step.
@@ -231,9 +229,11 @@ class Simulation(_elsie.Simulation, Paths):
         return [Note(*each) for each in self._all_notes()] + self._more_notes
 
     def result(self) -> Result:
-        """The result so far; once the run has ended, its result, with the trace."""
+        """The result so far; once the run has ended, its result, with the trace. A fault is the outcome "fault"."""
         if self._ended is not None:
             return self._ended
+        if self._fault is not None:
+            return result_of({**self._result_fields(), "outcome": "fault", "reason": str(self._fault)}, self._more_notes, self._account())
         if self.outcome != "running":
             return self._end()
         return result_of(self._result_fields(), self._more_notes, None)
@@ -265,7 +265,11 @@ class Simulation(_elsie.Simulation, Paths):
         while made < steps and (not self._observers or self.time < until - 1e-6 * self.step_s):
             every_step = any(each.every is None for each in self._observers)
             due = min((each.due for each in self._observers if each.every is not None), default=math.inf)
-            more = self._advance(1 if every_step else steps - made, min(until, due))
+            try:
+                more = self._advance(1 if every_step else steps - made, min(until, due))
+            except (PluginFault, PhysicsFault, EditRefused) as fault:
+                self._fault = fault
+                raise
             made += more
             if more == 0:
                 break

@@ -66,11 +66,13 @@ class Simulation : public Made {
   using MakeTable = Table (*)(const simulation::Simulation& now, const std::string& name);
   py::array table(MakeTable make, const std::string& name);
 
-  /// Who decided, of a run that has ended; null without SimulationOptions::trace, or before the
-  /// end.
+  /// Who decided, of a run that has ended or failed; null without SimulationOptions::trace, or
+  /// before the end.
   std::shared_ptr<const traces::AccountRecorder> account() const {
-    return has_ended_ ? account_ : nullptr;
+    return is_closed_ || has_failed_ ? account_ : nullptr;
   }
+  /// What recorders had to say.
+  const std::vector<std::string>& warnings() const { return warnings_; }
   const traces::TrackRecorder* tracks() const { return tracks_.get(); }
 
  private:
@@ -93,7 +95,9 @@ class Simulation : public Made {
   std::unique_ptr<simulation::Run> run_;
   std::map<std::pair<MakeTable, std::string>, Table> tables_;
   bool is_stepping_ = false;
-  bool has_ended_ = false;
+  bool is_closed_ = false;
+  bool has_failed_ = false;
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace elsie::python

@@ -82,7 +82,7 @@ void Simulation::begin() {
 
 std::uint64_t Simulation::advance(std::uint64_t steps, double until_s) {
   require_idle();
-  if (has_ended_ && simulation_->outcome() == simulation::Outcome::running) {
+  if (is_closed_ && !has_failed_ && simulation_->outcome() == simulation::Outcome::running) {
     throw base::Error("this run was closed before its end; reset() starts it again");
   }
   std::uint64_t made = 0;
@@ -97,7 +97,12 @@ std::uint64_t Simulation::advance(std::uint64_t steps, double until_s) {
       const Stepping stepping(is_stepping_);
       const py::gil_scoped_release released;
       begin();
-      more = steps_until(steps - made, until_s);
+      try {
+        more = steps_until(steps - made, until_s);
+      } catch (...) {
+        has_failed_ = true;
+        throw;
+      }
     }
     made += more;
     if (more == 0) break;
@@ -128,14 +133,15 @@ std::uint64_t Simulation::steps_until(std::uint64_t steps, double until_s) {
 simulation::RunResult Simulation::end() {
   require_idle();
   begin();
-  has_ended_ = true;
+  is_closed_ = true;
   return run_->end();
 }
 
 void Simulation::reset(std::optional<std::uint64_t> seed) {
   require_idle();
   run_.reset();
-  has_ended_ = false;
+  is_closed_ = has_failed_ = false;
+  warnings_.clear();
   account_.reset();
   tracks_.reset();
   recorders_.clear();
@@ -174,6 +180,7 @@ void Simulation::record(const std::string& file, double rate_hz, bool images,
   options.rate_hz = rate_hz;
   options.images = images;
   options.robots = robots;
+  options.warn = [this](const std::string& sentence) { warnings_.push_back(sentence); };
   recorders_.push_back(recording::format_of(file)->recorder(file, options));
 }
 
