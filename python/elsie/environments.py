@@ -119,9 +119,11 @@ def _robots_of(world: _elsie.World, robots: Union[None, str, Sequence[str]], is_
 
 
 def _names(what: str, given: Union[Named, Sequence[Named]]) -> list[tuple[str, Optional[float], Optional[float]]]:
+    if not isinstance(given, (str, Sequence)):
+        raise InputError(f"{what}={given!r}: expected a name, or a list of names")
     alone = isinstance(given, str) or (isinstance(given, tuple) and len(given) == 3 and not isinstance(given[1], (str, tuple)))
     names: list[tuple[str, Optional[float], Optional[float]]] = []
-    for each in ([given] if alone else given):  # type: ignore[union-attr, list-item]
+    for each in ([given] if alone else given):
         if isinstance(each, str):
             names.append((each, None, None))
         elif isinstance(each, tuple) and len(each) == 3 and isinstance(each[0], str):

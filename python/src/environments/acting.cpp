@@ -89,6 +89,7 @@ Acting::Acting(simulation::Simulation& simulation, const plugin::Host& host, std
                                                add_commands(simulation, named);
     if (!is_known) refuse(simulation, named);
   }
+  take(std::vector<Bounded>(numbers_));
   find_commanded(simulation, host);
 }
 
@@ -98,10 +99,16 @@ void Acting::add(Number number, Bounded bounds, const Named& named) {
     throw base::BadInput("act: the bounds of '" + bounds.name +
                          "' are not known, or no interval; expected (name, least, greatest)");
   }
-  number.middle = 0.5 * (bounds.low + bounds.high);
-  number.half = 0.5 * (bounds.high - bounds.low);
   actions_.push_back(std::move(number));
   numbers_.push_back(std::move(bounds));
+}
+
+void Acting::take(const std::vector<Bounded>& numbers) {
+  numbers_ = numbers;
+  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    actions_[i].middle = 0.5 * (numbers_[i].low + numbers_[i].high);
+    actions_[i].half = 0.5 * (numbers_[i].high - numbers_[i].low);
+  }
 }
 
 double Acting::Number::value(float action) const {
@@ -256,6 +263,15 @@ void Acting::apply(simulation::Simulation& simulation, const float* actions) con
   }
   if (!commanded_) return;
   if (commands_ > 0) values_->set(*commanded_, std::move(values));
+  commanded_->configured();
+}
+
+void Acting::forget() const {
+  if (!commanded_) return;
+  for (const ParameterDeclaration* parameter : motion_) {
+    parameter->set(*commanded_, parameter->default_value);
+  }
+  values_->set(*commanded_, values_->default_value);
   commanded_->configured();
 }
 

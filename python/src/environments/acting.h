@@ -37,7 +37,12 @@ class Acting {
          const std::vector<Named>& names, bool by_edits);
 
   const std::vector<Bounded>& numbers() const { return numbers_; }
+  /// Replaces the bounds; there are as many.
+  void take(const std::vector<Bounded>& numbers);
   void apply(simulation::Simulation& simulation, const float* actions) const;
+  /// To be called after Simulation::reset(), which forgets edits and priorities: forgets the motion
+  /// and the commands.
+  void forget() const;
   /// The edits of an action: those that change what `before` has, which then has the new values.
   /// It is empty before the first action.
   void add_edits(const float* actions, std::vector<double>& before,

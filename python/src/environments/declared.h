@@ -42,6 +42,8 @@ struct Declared {
   std::optional<std::vector<RewardTerm>> rewards;
   std::size_t steps = 0;  // of the physics in one of the environment; 0: a control period
   std::optional<double> time_limit_s;
+  /// The numbers of each robot, once they are known: they stay, whatever is edited or drawn.
+  std::vector<std::vector<Bounded>> observed{}, acted{};
 };
 
 }  // namespace elsie::python

@@ -7,6 +7,7 @@
 
 #include "elsie/base/error.h"
 #include "elsie/base/near_name.h"
+#include "elsie/base/words.h"
 #include "elsie/editing/document.h"
 #include "elsie/files/outputs.h"
 #include "elsie/files/write_whole.h"
@@ -29,6 +30,14 @@ std::size_t index_of(const world::World& world, const std::string& robot) {
                        base::near_or_all(robot, known, "it has"));
 }
 
+void require_as_many(const std::string& robot, const char* what, std::size_t now,
+                     std::size_t known) {
+  if (now == known) return;
+  throw base::BadInput("Robot '" + robot + "' " + what + " " + base::counted(now, "number") +
+                       " now, and " + std::to_string(known) +
+                       " when the environment was made; expected as many with every seed and edit");
+}
+
 simulation::Options options_for(std::uint64_t seed, std::optional<double> time_limit_s) {
   simulation::Options options;
   options.seed = seed;
@@ -43,6 +52,10 @@ simulation::Options options_for(std::uint64_t seed, std::optional<double> time_l
 void Episode::make_simulation(std::uint64_t seed) {
   if (simulation_ && !is_drawn_) {
     simulation_->reset(seed);
+    for (const std::string& id : declared_.robots) {
+      const std::size_t robot = index_of(simulation_->world(), id);
+      Acting(*simulation_, host_, robot, declared_.act, by_edits_).forget();
+    }
     return;
   }
   simulation_.reset();
@@ -104,6 +117,12 @@ void Episode::find_names() {
     robots_.push_back(robot);
     eyes_.emplace_back(*simulation_, host_, robot, declared_.observe);
     hands_.emplace_back(*simulation_, host_, robot, declared_.act, by_edits_);
+    if (declared_.observed.empty()) continue;
+    const std::size_t i = robots_.size() - 1;
+    require_as_many(id, "observes", eyes_[i].numbers().size(), declared_.observed[i].size());
+    require_as_many(id, "does", hands_[i].numbers().size(), declared_.acted[i].size());
+    eyes_[i].take(declared_.observed[i]);
+    hands_[i].take(declared_.acted[i]);
   }
   watcher_->has_seen = false;
 }

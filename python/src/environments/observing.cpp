@@ -147,6 +147,13 @@ Observing::Observing(const simulation::Simulation& simulation, const plugin::Hos
       refuse(simulation, named);
     }
   }
+  take(std::vector<Bounded>(numbers_));
+}
+
+void Observing::take(const std::vector<Bounded>& numbers) {
+  numbers_ = numbers;
+  low_.clear();
+  high_.clear();
   for (const Bounded& number : numbers_) {
     if (!(number.low < number.high) || !std::isfinite(number.high - number.low)) {
       throw base::BadInput("observe: the bounds of '" + number.name +

@@ -27,6 +27,8 @@ class Observing {
             const std::vector<Named>& names);
 
   const std::vector<Bounded>& numbers() const { return numbers_; }
+  /// Replaces the bounds; there are as many.
+  void take(const std::vector<Bounded>& numbers);
   /// Writes as many numbers as there are, within their bounds. What a list has no item for, or a
   /// plugin publishes no number for now, is 0.
   void read(const simulation::Simulation& simulation, float* to) const;

@@ -38,10 +38,11 @@ class Worlds {
          std::size_t count, std::size_t threads);
 
   std::size_t size() const { return episodes_.size(); }
-  const Declared& declared() const { return declared_; }
   /// Of one robot: the same in all worlds.
-  const std::vector<Bounded>& observed(std::size_t robot) const { return observed_[robot]; }
-  const std::vector<Bounded>& acted(std::size_t robot) const { return acted_[robot]; }
+  const std::vector<Bounded>& observed(std::size_t robot) const {
+    return declared_.observed[robot];
+  }
+  const std::vector<Bounded>& acted(std::size_t robot) const { return declared_.acted[robot]; }
   /// Numbers of all robots of a world.
   std::size_t observations_size() const { return observations_size_; }
   std::size_t actions_size() const { return actions_size_; }
@@ -91,7 +92,6 @@ class Worlds {
   std::vector<std::unique_ptr<Episode>> episodes_;
   std::vector<Seeds> seeds_;
   std::vector<std::string> outcomes_;
-  std::vector<std::vector<Bounded>> observed_, acted_;
   std::size_t observations_size_ = 0, actions_size_ = 0;
   std::vector<float> observations_, last_observations_;
   std::vector<double> rewards_;
