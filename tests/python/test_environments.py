@@ -291,9 +291,12 @@ def test_saved_episodes_are_the_same_run_to_the_last_bit(act, steps, engine, ext
     ran = subprocess.run([elsie.program(), "run", tmp_path / "episode.xml", "--seed", "9", "--duration", time_s, "--json"],
                          capture_output=True, text=True)
     assert f'"state_hash":"{state}"' in ran.stdout, ran.stderr
-    again = subprocess.run([elsie.program(), "replay", tmp_path / "episode.mcap", "--rerun"], capture_output=True, text=True)
-    if "--rerun" not in again.stderr:
-        assert again.returncode == 0, again.stderr
+    told = subprocess.run([elsie.program(), "replay", tmp_path / "episode.mcap", "--world", tmp_path / "again.xml"],
+                          capture_output=True, text=True)
+    assert told.returncode == 0, told.stderr
+    again = subprocess.run([elsie.program(), "run", tmp_path / "again.xml", "--seed", "9", "--duration", time_s, "--json"],
+                           capture_output=True, text=True)
+    assert f'"state_hash":"{state}"' in again.stdout, again.stderr
 
 
 def test_a_world_with_rules_takes_actions_as_edits(tmp_path):
