@@ -196,7 +196,7 @@ class Env(Base, _GymEnv):  # type: ignore[misc]
 
     world: a file, a shipped world, or an elsie.World.
     robot: the id of the robot that learns; or robots: several of them, or "all". Then arrays have an axis for robots, and the reward is
-        the sum over them.
+        the mean of theirs.
     observe: names of what is observed: "readings" (all numbers of all sensors), "range.distance_m" (of all sensors of a kind),
         "left.hit" (of the sensor with this id), "pose", "motion", "odometry", "commanded", "energy", "charging", and published
         numbers, "explore/avoid.clearance". (name, least, greatest) sets bounds; values beyond are clipped.

@@ -168,7 +168,7 @@ class VectorEnv(Base, _GymVectorEnv):  # type: ignore[misc]
         elif self._rewards is not None:
             rewards = self._rewards.copy()
         else:
-            rewards = setup.worlds.rewards.sum(axis=1)
+            rewards = setup.worlds.rewards.mean(axis=1)
         return observations, rewards, terminated, truncated, infos
 
     def _seeds_of(self, mask: NDArray[np.bool_]) -> dict[str, Any]:

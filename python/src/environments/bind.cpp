@@ -170,9 +170,10 @@ py::tuple step_alone(Held& held, const py::object& given) {
   py::array_t<float> observation(held.observed_shape);
   std::copy(observed.begin(), observed.end(), observation.mutable_data());
   const std::vector<double>& rewards = worlds.rewards();
-  return py::make_tuple(std::move(observation),
-                        std::accumulate(rewards.begin(), rewards.end(), 0.0),
-                        worlds.terminated()[0] != 0, worlds.truncated()[0] != 0);
+  return py::make_tuple(
+      std::move(observation),
+      std::accumulate(rewards.begin(), rewards.end(), 0.0) / static_cast<double>(rewards.size()),
+      worlds.terminated()[0] != 0, worlds.truncated()[0] != 0);
 }
 
 }  // namespace
