@@ -9,6 +9,7 @@
 #include <spdlog/spdlog.h>
 
 #include "elsie/base/number_text.h"
+#include "elsie/plugin/script.h"
 #include "elsie/world/data_directories.h"
 
 #include "command.h"
@@ -26,8 +27,8 @@ void PluginOptions::add_to(CLI::App& command) {
       ->allow_extra_args(false);
   command
       .add_option("--plugin", files,
-                  "Plugin library, or a plugin's one source file (.cpp), which is compiled first; "
-                  "comes before all others; may be repeated")
+                  "Plugin library, a plugin's one source file (.cpp), which is compiled first, or "
+                  "one in Python (.py); comes before all others; may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false);
 }
@@ -56,12 +57,13 @@ bool is_traced() {
   return false;
 }
 
-/// A --plugin, if it is a library or a source.
+/// A --plugin, if it is a library, a source or a script.
 fs::path checked(const std::string& file) {
   if (!build::is_source(file)) {
-    if (fs::path(file).extension() != ".so") {
+    if (!plugin::may_hold_plugins(file)) {
       throw BadInput("--plugin: '" + file +
-                     "' should be a plugin library (.so) or the source of one (.cpp)");
+                     "' should be a plugin library (.so), the source of one (.cpp), or a script "
+                     "with plugins (.py)");
     }
     std::error_code error;  // of a link that leads back to itself, for example
     if (!fs::is_regular_file(file, error)) {

@@ -116,3 +116,208 @@ class Network:
     def _rows(self, inputs: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]: ...
     def _train_rows(self, inputs: npt.NDArray[np.float64], targets: npt.NDArray[np.float64], learning_rate: float, momentum: float,
                    method: str, threshold: float, presentations: int) -> tuple[str, int, list[tuple[float, float]]]: ...
+
+# Plugins in Python: what the classes of elsie/plugins.py are given, and answer.
+
+class Motion:
+    forward: float
+    lateral: float
+    turn: float
+    def __init__(self, forward: float = 0.0, turn: float = 0.0, lateral: float = 0.0) -> None: ...
+    def __add__(self, other: Motion) -> Motion: ...
+    def __sub__(self, other: Motion) -> Motion: ...
+    def __mul__(self, factor: float) -> Motion: ...
+    def __rmul__(self, factor: float) -> Motion: ...
+    def __truediv__(self, divisor: float) -> Motion: ...
+
+class Pose:
+    x: float
+    y: float
+    heading_rad: float
+    def __init__(self, x: float = 0.0, y: float = 0.0, heading_rad: float = 0.0) -> None: ...
+    def bearing(self, x: float, y: float) -> float: ...
+
+class Status:
+    running: Status
+    success: Status
+    failure: Status
+
+class Response:
+    motion: Motion
+    activation: float
+    strength: float
+    speed_strength: float
+    lateral_strength: float
+    turn_strength: float
+    matters_rad: Optional[float]
+    status: Status
+    charge: bool
+    @property
+    def events(self) -> list[str]: ...
+    def __init__(self, motion: Motion = ..., activation: float = 1.0, strength: float = 1.0, speed_strength: float = 1.0,
+                 lateral_strength: float = 1.0, turn_strength: float = 1.0, matters_rad: Optional[float] = None,
+                 status: Status = ..., charge: bool = False) -> None: ...
+    def act(self, command: Any, *, by: str = "", **numbers: Any) -> Response: ...
+    def say(self, message: Any, *, to: str = "", by: str = "", **numbers: Any) -> Response: ...
+    def raise_event(self, name: str) -> Response: ...
+
+class Random:
+    def uniform(self, low: float = 0.0, high: float = 1.0) -> float: ...
+    def normal(self, mean: float = 0.0, deviation: float = 1.0) -> float: ...
+    def integer(self, n: int) -> int: ...
+    def chance(self, probability: float) -> bool: ...
+
+class Readings:
+    def __len__(self) -> int: ...
+    def __getattr__(self, name: str) -> Any: ...
+
+class Self:
+    id: str
+    pose: Pose
+    commanded: Motion
+    moving: Motion
+    odometry: Motion
+    has_lateral: bool
+    wheel_radius_m: float
+    half_axle_m: float
+    length_m: float
+    width_m: float
+    max_speed_m_s: float
+    max_wheel_rate: float
+    coverage_m: float
+    is_leader: bool
+    team_index: int
+    energy: float
+    capacity: float
+    charging: bool
+    held: list[Any]
+    def motion(self, left: float, right: float) -> Motion: ...
+    def wheel_rates(self, motion: Motion) -> tuple[float, float]: ...
+
+class Team:
+    name: str
+    mates: list[Any]
+    leader: Any
+    charger: Optional[tuple[float, float]]
+    nest: Optional[tuple[float, float, float]]
+
+class Now:
+    time: float
+    period: float
+    readings: dict[str, Readings]
+    self: Self
+    team: Team
+    events: list[str]
+    random: Random
+    def heard(self, kind: Optional[str] = None) -> list[Any]: ...
+
+class Member:
+    name: str
+    priority: float
+    asked: bool
+    weight: float
+    share: float
+    reason: str
+    inhibited_by: int
+    def respond(self) -> Response: ...
+    def published(self, name: str) -> float: ...
+
+class Mounting:
+    place: tuple[float, float, float]
+    azimuth_rad: float
+    pitch_rad: float
+    segment: int
+
+class SensorNow:
+    time: float
+    period: float
+    random: Random
+    mounting: Mounting
+    place: tuple[float, float, float]
+    forward: tuple[float, float, float]
+    pose: Pose
+    motion: tuple[tuple[float, float, float], tuple[float, float, float]]
+    energy: float
+    lamps: list[Any]
+    contacts: list[Any]
+    image: Any
+    def ray(self, range_m: float, azimuth_rad: float = 0.0, pitch_rad: float = 0.0) -> Optional[float]: ...
+    def see(self, range_m: float, azimuth_rad: float = 0.0, pitch_rad: float = 0.0) -> Any: ...
+    def anything_in(self, range_m: float, horizontal_fov_rad: float, vertical_fov_rad: float) -> bool: ...
+    def is_open(self, x: float, y: float, z: float) -> bool: ...
+    def things(self, radius_m: float) -> list[Any]: ...
+    def lights(self, radius_m: float) -> list[Any]: ...
+    def floor_colour(self, x: Optional[float] = None, y: Optional[float] = None) -> tuple[int, int, int]: ...
+    def field(self, id: str, x: Optional[float] = None, y: Optional[float] = None) -> float: ...
+
+class ActuatorNow:
+    time: float
+    period: float
+    is_new: bool
+    random: Random
+    mounting: Mounting
+    place: tuple[float, float, float]
+    energy: float
+    def shine(self, red: int, green: int, blue: int, intensity: float = 1.0) -> None: ...
+    def transmit(self, message: Any, numbers: dict[str, Any], to: str = "", range_m: float = 1.0, delay_s: float = 0.0,
+                 loss: float = 0.0, in_sight: bool = False, tells_sender: bool = True) -> None: ...
+    def hold(self, reach_m: float) -> None: ...
+    def deposit(self, field: str, amount: float) -> None: ...
+    def draw_power(self, units_per_s: float) -> None: ...
+
+class RobotView:
+    id: str
+    team: str
+    pose: Pose
+    believed_pose: Pose
+    asked: Motion
+    command: Motion
+    moving: Motion
+    distance_m: float
+    energy: float
+    energy_used: float
+    capacity: float
+    collisions: int
+    collected: int
+    is_leader: bool
+    charging: bool
+    empty: bool
+    published: dict[str, float]
+    behaviors: list[Any]
+
+class WorldNow:
+    time: float
+    step: float
+    period: float
+    is_start: bool
+    decided: bool
+    arena: tuple[float, float]
+    teams: list[str]
+    robots: list[RobotView]
+    poses: npt.NDArray[np.float64]
+    energies: npt.NDArray[np.float64]
+    distances: npt.NDArray[np.float64]
+    obstacles: list[Any]
+    events: list[tuple[str, str]]
+    published: dict[str, float]
+    def robot(self, id: str) -> RobotView: ...
+    def field(self, id: str) -> npt.NDArray[np.float64]: ...
+
+class WorldChanges:
+    def edit(self, path: str, value: str) -> None: ...
+    def set(self, path: str, value: float) -> None: ...
+    def add(self, list: str, element: str) -> None: ...
+    def remove(self, path: str) -> None: ...
+    def place(self, what: str, x: float, y: float, heading_rad: float = 0.0) -> None: ...
+    def has_room(self, what: str, x: float, y: float, heading_rad: float = 0.0) -> bool: ...
+    def raise_event(self, name: str, robot: str = "") -> None: ...
+    def succeed(self, reason: str) -> None: ...
+    def fail(self, reason: str) -> None: ...
+
+class Sketch:
+    def point(self, role: str, place: Any) -> None: ...
+    def line(self, role: str, places: Any) -> None: ...
+    def arrow(self, role: str, start: Any, end: Any) -> None: ...
+    def circle(self, role: str, middle: Any, radius_m: float) -> None: ...
+    def text(self, role: str, place: Any, text: str) -> None: ...
+    def in_world(self, yes: bool = True) -> None: ...

@@ -15,5 +15,7 @@ void bind_pictures(py::module_& module);
 void bind_inference(py::module_& module);
 /// elsie._elsie.Worlds, of which environments for learning are made.
 void bind_environments(py::module_& module);
+/// Plugins in Python (plugins/): what a script sees of Elsie, and how the core loads scripts.
+void bind_plugins(py::module_& module);
 
 }  // namespace elsie::python

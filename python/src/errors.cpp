@@ -66,6 +66,8 @@ void bind_errors(py::module_&) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const base::Error& error) {
+      // Ctrl+C in a plugin ended the run: that is what the user did.
+      if (PyErr_CheckSignals() != 0) return;
       translate(error);
     } catch (const simulation::EditRefused& error) {
       raise(made("EditRefused", error.what(), base::kBadInput));

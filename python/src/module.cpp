@@ -16,4 +16,5 @@ PYBIND11_MODULE(_elsie, module) {
   module.def("has_fixed_arithmetic", &elsie::process::has_fixed_arithmetic);
   module.attr("version") = ELSIE_VERSION;
   bind_environments(module);
+  bind_plugins(module);
 }

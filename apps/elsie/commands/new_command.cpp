@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -35,7 +36,10 @@ struct NewOptions {
   std::string kind;
   std::string name;
   std::string folder;
+  bool in_python = false;
   PluginOptions plugins;
+
+  std::string suffix() const { return in_python ? ".py" : ".cpp"; }
 };
 
 /// Names that are targets of CMake.
@@ -96,7 +100,7 @@ constexpr std::string_view kWords[] = {"active",       "alignas",
                                        "while",        "xor",
                                        "xor_eq"};
 
-void check_name(const std::string& name) {
+void check_name(const std::string& name, bool in_python) {
   const auto fits = [](char c) { return std::islower(static_cast<unsigned char>(c)) != 0; };
   const bool sound =
       !name.empty() && fits(name.front()) && std::all_of(name.begin(), name.end(), [&](char c) {
@@ -106,6 +110,13 @@ void check_name(const std::string& name) {
     throw BadInput("'" + name +
                    "' is not a name for a plugin; it should be a small letter followed by small "
                    "letters, digits and underscores, such as 'follow_wall'");
+  }
+  if (in_python) {
+    if (name == "elsie" || name == "none" || name == "true" || name == "false") {
+      throw BadInput("'" + name + "' or its class is a word that the generated files use; choose " +
+                     "another name");
+    }
+    return;
   }
   if (std::find(kTaken.begin(), kTaken.end(), name) != kTaken.end()) {
     throw BadInput("'" + name + "' is a word of the build system; choose another name");
@@ -175,6 +186,7 @@ fs::path template_folder(const std::string& kind) {
                  "); is Elsie installed whole?");
 }
 
+constexpr std::string_view kWorld = "world.xml";
 constexpr std::uintmax_t kLongestTemplate = 1'000'000;  // bytes
 
 /// Writes all files or none.
@@ -184,10 +196,14 @@ void write_project(const NewOptions& options, const fs::path& folder) {
         fs::absolute(folder / "").lexically_normal().parent_path().parent_path();
     fs::create_directories(parent);
     files::ScratchFolder scratch(parent);
-    for (const std::string& part : {std::string("any"), options.kind}) {
-      const fs::path templates = template_folder(part);
+    const std::string language = options.in_python ? "python/" : "";
+    std::vector<fs::path> folders{template_folder(language + "any"),
+                                  template_folder(language + options.kind)};
+    if (options.in_python) folders.push_back(template_folder(options.kind));  // its world
+    for (const fs::path& templates : folders) {
       for (const auto& entry : fs::recursive_directory_iterator(templates)) {
         const std::string place = entry.path().lexically_relative(templates).string();
+        if (options.in_python && &templates == &folders.back() && place != kWorld) continue;
         const fs::path made = scratch.path() / filled_in(place, options);
         if (entry.is_directory()) {
           fs::create_directories(made);
@@ -210,7 +226,7 @@ void write_project(const NewOptions& options, const fs::path& folder) {
 }
 
 int make_project(const NewOptions& options) {
-  check_name(options.name);
+  check_name(options.name, options.in_python);
   const fs::path folder = options.folder.empty() ? options.name : options.folder;
   std::error_code error;
   if (fs::exists(folder, error)) {
@@ -228,7 +244,7 @@ int make_project(const NewOptions& options) {
     out() << "  " << name << '\n';
   }
   out() << "Try it:\n  cd " << folder.string() << "\n  elsie run world.xml --plugin "
-        << options.name << ".cpp\n";
+        << options.name << options.suffix() << '\n';
   return kSuccess;
 }
 
@@ -243,7 +259,7 @@ void add_new_command(CLI::App& program, Job& job) {
       "  elsie new sensor light\n  elsie new measure detour\n  elsie new rule gate\n  elsie new "
       "drive tracks\n"
       "  elsie new localisation landmarks\n"
-      "  elsie new actuator beeper\n");
+      "  elsie new actuator beeper\n  elsie new behavior orbit --python\n");
   auto options = std::make_shared<NewOptions>();
   command
       ->add_option("KIND", options->kind,
@@ -253,6 +269,7 @@ void add_new_command(CLI::App& program, Job& job) {
       ->required();
   command->add_option("--folder", options->folder, "Where to put it; default: NAME, here")
       ->type_name("DIR");
+  command->add_flag("--python", options->in_python, "In Python: one file, which is not compiled");
   options->plugins.add_to(*command);
   command->callback([&job, options] {
     job = [options] {
@@ -265,6 +282,11 @@ void add_new_command(CLI::App& program, Job& job) {
         throw BadInput("'" + options->kind +
                        "' is not a plugin kind; there are behavior, coordinator, sensor, measure, "
                        "rule, drive, localisation and actuator");
+      }
+      if (options->in_python && (options->kind == "drive" || options->kind == "localisation")) {
+        throw BadInput("--python: a " + options->kind +
+                       " must be written in C++; behaviors, coordinators, sensors, measures, rules "
+                       "and actuators may be in Python");
       }
       return make_project(*options);
     };

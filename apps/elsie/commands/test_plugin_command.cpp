@@ -228,7 +228,7 @@ void add_test_plugin_command(CLI::App& program, Job& job) {
   auto options = std::make_shared<TestPluginOptions>();
   command
       ->add_option("PLUGIN", options->names,
-                   "Names of plugins, library files, or sources of one file")
+                   "Names of plugins, library files, sources of one file, or scripts (.py)")
       ->required();
   command->add_option("--set", options->settings, "Fix a parameter, NAME=VALUE; may be repeated")
       ->allow_extra_args(false);

@@ -265,9 +265,10 @@ std::optional<LoadedFile> Host::State::load_anew(FileReport& file) {
   if (!library.problem.empty()) {
     file.sentence = std::move(library.problem);
   } else if (library.declarations.empty()) {
-    file.sentence =
-        "declares no plugin; is an ELSIE_SENSOR, ELSIE_BEHAVIOR, "
-        "ELSIE_COORDINATOR, ELSIE_MEASURE, ELSIE_RULE or ELSIE_DRIVE missing?";
+    file.sentence = is_script(file.path)
+                        ? "declares no plugin; a class whose name begins with '_' is none"
+                        : "declares no plugin; is an ELSIE_SENSOR, ELSIE_BEHAVIOR, "
+                          "ELSIE_COORDINATOR, ELSIE_MEASURE, ELSIE_RULE or ELSIE_DRIVE missing?";
   } else if (const auto faults = check_declarations(library.declarations); !faults.empty()) {
     file.sentence = "is declared wrongly: " + joined(faults, "; ");
   } else {

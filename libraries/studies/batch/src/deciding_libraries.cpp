@@ -10,10 +10,12 @@
 
 #include "elsie/api/sensor.h"
 #include "elsie/batch/plan.h"
+#include "elsie/experiment/plugin_uses.h"
 #include "elsie/plugin/engine_libraries.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/own_library.h"
 #include "elsie/plugin/parameters.h"
+#include "elsie/plugin/script.h"
 
 namespace elsie::batch {
 namespace {
@@ -22,6 +24,17 @@ namespace fs = std::filesystem;
 
 /// What an engine links to besides libelsie.
 constexpr std::pair<const char*, const char*> kOfEngines[] = {{"ode", "libode"}};
+
+/// What plugins in Python depend on: who starts it, the module elsie, the interpreter, numpy.
+constexpr const char* kOfPython[] = {"python", "_elsie", "libpython3", "_multiarray_umath"};
+
+bool has_scripts(const world::World& world, const plugin::Host& host) {
+  bool has = false;
+  experiment::for_each_use(world, [&](PluginKind kind, const world::PluginUse& use) {
+    has = has || plugin::is_script(host.file_of(kind, use.plugin));
+  });
+  return has;
+}
 
 bool has_camera(const world::PluginUse& use, const plugin::Host& host) {
   try {
@@ -66,6 +79,9 @@ std::vector<fs::path> deciding_libraries(const world::World& world, const plugin
   }
   for (const auto& [name, library] : kOfEngines) {
     if (name == engine) files[library];
+  }
+  if (has_scripts(world, host)) {
+    for (const char* const library : kOfPython) files[library];
   }
   if (world.drawn) files["layouts"] = plugin::part_file("layouts");
   if (world.floor.pixels) files["images"] = plugin::part_file("images");

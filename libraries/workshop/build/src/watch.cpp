@@ -17,6 +17,7 @@
 #include "elsie/build/source_build.h"
 #include "elsie/plugin/file_fingerprint.h"
 #include "elsie/plugin/kind_name.h"
+#include "elsie/plugin/script.h"
 
 namespace elsie::build {
 namespace {
@@ -169,8 +170,8 @@ class WatchedPaths {
   static std::vector<fs::path> files_of(const WatchedPath& watched) {
     const fs::path& path = watched.directory.path;
     if (watched.build.library.empty()) {
-      const auto is_library = [](const fs::path& file) { return file.extension() == ".so"; };
-      return is_library(path) ? std::vector{path} : files_in(path, is_library);
+      return plugin::may_hold_plugins(path) ? std::vector{path}
+                                            : files_in(path, plugin::may_hold_plugins);
     }
     std::vector<fs::path> files =
         files_in(path.parent_path().empty() ? "." : path.parent_path(), is_header);

@@ -1,0 +1,527 @@
+"""Plugins in Python, in this process and by the program."""
+import json
+import math
+import os
+import shutil
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import elsie
+
+EXAMPLE = Path(os.environ["ELSIE_SOURCE"]) / "examples/12-python-plugins"
+
+STAND = """
+class Stand(elsie.Behavior):
+    \"\"\"Stands.\"\"\"
+    def respond(self, now):
+        return elsie.Motion()
+"""
+
+
+class Place:
+    """A folder with a script, and worlds with one robot."""
+
+    def __init__(self, folder):
+        self.folder = folder
+
+    def script(self, text, name="mine.py"):
+        file = self.folder / name
+        file.write_text("import math\nimport elsie\n" + text)
+        return file
+
+    def world(self, behaviors, *, sensors="", actuators="", coordinator="<arbiter_suppression/>", more="", time_limit=1.0, robots=""):
+        text = f"""<world format="1"><arena length="4" width="4"/><robots>
+            <robot id="r1" team="red"><sensors>{sensors}</sensors><actuators>{actuators}</actuators>
+              <behaviors>{behaviors}</behaviors><coordinator>{coordinator}</coordinator></robot>{robots}</robots>
+            {more}<limits time="{time_limit}"/></world>"""
+        file = self.folder / "world.xml"
+        file.write_text(text)
+        return file
+
+    def run(self, script, behaviors, seed=1, **facts):
+        world = elsie.World(self.world(behaviors, **facts), plugins=[self.script(script)])
+        run = elsie.Simulation(world, seed=seed)
+        return run, run.run()
+
+    def elsie(self, *words, timeout=60, environment=None):
+        return subprocess.run([elsie.program(), *map(str, words)], cwd=self.folder, capture_output=True, text=True, timeout=timeout,
+                              env={**os.environ, **(environment or {})})
+
+
+@pytest.fixture
+def place(tmp_path):
+    return Place(tmp_path)
+
+
+def refused(place, script):
+    """The sentence with which a script is refused."""
+    file = place.script(script)
+    with pytest.raises(elsie.InputError) as error:
+        elsie.World(place.world("<stand/>"), plugins=[file])
+    return str(error.value)
+
+
+def fault(place, script, behaviors="<faulty/>", **facts):
+    with pytest.raises(elsie.PluginFault) as error:
+        place.run(script, behaviors, **facts)
+    return error.value
+
+
+class TestBehaviors:
+    def test_the_example_reaches_its_goals_in_the_program(self, place):
+        run = place.elsie("run", EXAMPLE / "world.xml", "--plugin", EXAMPLE / "orbit.py", "--json")
+        assert run.returncode == 0, run.stderr
+        assert run.stderr == ""
+        assert json.loads(run.stdout)["outcome"] == "success"
+
+    def test_the_checker_finds_no_fault_in_it(self, place):
+        run = place.elsie("test-plugin", EXAMPLE / "orbit.py")
+        assert (run.returncode, run.stdout) == (0, "behavior 'orbit': no faults found\n")
+
+    def test_the_declaration_is_that_of_the_class(self, place):
+        run = place.elsie("describe", "orbit", "--plugin-path", EXAMPLE)
+        assert "Circles to the left, and matters more with something near" in run.stdout
+        for words in ("radius", "of the circle", "0.5", "distance", "range"):
+            assert words in run.stdout
+
+    def test_readings_are_arrays_over_the_sensors(self, place):
+        run, _ = place.run("""
+class Look(elsie.Behavior):
+    \"\"\"Looks.\"\"\"
+    needs = ["range"]
+    first = elsie.published()
+    second = elsie.published()
+    hits = elsie.published()
+    azimuth = elsie.published()
+    def respond(self, now):
+        beams = now.readings["range"]
+        assert beams.ids == ["a", "b"] and len(beams) == 2 and list(beams.age_s) == [0.0, 0.0]
+        assert beams.distance_m.dtype == float and beams.hit.dtype == bool
+        self.first, self.second = beams.distance_m
+        self.hits = beams.hit.sum()
+        self.azimuth = beams.azimuth_rad[1]
+        return elsie.Motion()
+""", "<look/>", sensors='<beam_range id="a" max_range="3"/><beam_range id="b" yaw_deg="90" max_range="1"/>', time_limit=0.1)
+        shown = run.published("first")[0], run.published("second")[0], run.published("hits")[0]
+        assert 1.8 < shown[0] < 2.0
+        assert shown[1:] == (1.0, 1.0)
+        assert run.published("azimuth")[0] == pytest.approx(math.pi / 2)
+
+    def test_an_array_that_is_kept_is_not_written_again(self, place):
+        place.run("""
+class Keep(elsie.Behavior):
+    \"\"\"Keeps what it saw.\"\"\"
+    def reset(self, random):
+        self.seen = []
+    def respond(self, now):
+        self.seen.append(now.readings["range"].distance_m)
+        values = [array[0] for array in self.seen]
+        assert values == sorted(values, reverse=True) and len(set(values)) == len(values), values
+        return elsie.Motion(forward=0.3)
+""", "<keep/>", sensors='<beam_range max_range="3"/>', time_limit=0.2)
+
+    def test_arrays_in_readings_have_a_row_for_each_sensor(self, place):
+        run, _ = place.run("""
+class Look(elsie.Behavior):
+    \"\"\"Looks.\"\"\"
+    nearest = elsie.published()
+    def respond(self, now):
+        ranges = now.readings["lidar"].ranges
+        assert ranges.shape == (1, 12), ranges.shape
+        self.nearest = ranges.min()
+        return elsie.Motion()
+""", "<look/>", sensors='<lidar rays="12" max_range="5"/>', time_limit=0.1)
+        assert 1.8 < run.published("nearest")[0] < 2.0
+
+    def test_now_counts_during_the_call_only(self, place):
+        error = fault(place, """
+class Faulty(elsie.Behavior):
+    \"\"\"Keeps now.\"\"\"
+    def equipped(self, example):
+        self.kept = example
+    def respond(self, now):
+        self.old, self.own = getattr(self, "own", None), now.self
+        return elsie.Motion()
+    def notes(self):
+        return [str(self.kept.time)] if False else []
+    def sketch(self, sketch):
+        pass
+class Late(Faulty):
+    \"\"\"Reads a view of an earlier call.\"\"\"
+    def reset(self, random):
+        self.random = random
+    def respond(self, now):
+        self.random.uniform()
+        return elsie.Motion()
+""", "<late/>")
+        assert "valid during the call only" in str(error)
+        assert "mine.py:20" in str(error)
+
+    def test_answers_may_be_a_motion_with_its_activation_or_a_response(self, place):
+        run, _ = place.run("""
+class Pair(elsie.Behavior):
+    \"\"\"A pair.\"\"\"
+    def respond(self, now):
+        return elsie.Motion(forward=0.1), 0.25
+class Full(elsie.Behavior):
+    \"\"\"A response.\"\"\"
+    raises = {"done": "it is"}
+    def respond(self, now):
+        answer = elsie.Response(now.self.motion(left=5.0, right=5.0), activation=0.5, strength=0.75)
+        return answer.raise_event("done") if now.time == 0 else answer
+""", "<pair/><full/>", coordinator="<fusion_vector_summation/>", time_limit=0.1)
+        trace = {row["id"]: row for row in run.trace("r1")} if hasattr(run, "trace") else {}
+        assert trace == {} or trace["pair"]["activation"] == 0.25
+
+    def test_state_of_init_is_that_of_each_run(self, place):
+        world = elsie.World(place.world("<count/>", time_limit=0.1), plugins=[place.script("""
+class Count(elsie.Behavior):
+    \"\"\"Counts.\"\"\"
+    steps = elsie.published()
+    def __init__(self):
+        self.steps = 0
+    def respond(self, now):
+        self.steps += 1
+        return elsie.Motion()
+""")])
+        run = elsie.Simulation(world, seed=1)
+        run.run()
+        first = run.published("steps")[0]
+        run.reset(seed=2)
+        run.run()
+        assert run.published("steps")[0] == first > 0
+
+    def test_random_numbers_are_those_of_the_seed(self, place):
+        script = """
+class Drunk(elsie.Behavior):
+    \"\"\"Drives anyhow.\"\"\"
+    def respond(self, now):
+        draw = now.random
+        return elsie.Motion(draw.uniform(0, 0.3), draw.normal(0, 2) + draw.integer(3) + draw.chance(0.5))
+"""
+        poses = [place.run(script, "<drunk/>", seed=seed)[0].poses.tolist() for seed in (1, 1, 2)]
+        assert poses[0] == poses[1] != poses[2]
+
+    def test_the_program_and_this_process_make_the_same_run(self, place):
+        file = place.script(STAND.replace("elsie.Motion()", "elsie.Motion(0.1 + 0.1 * now.random.uniform(), 1.0)"))
+        world = place.world("<stand/>")
+        run = place.elsie("run", world, "--plugin", file, "--seed", 3, "--json")
+        here = elsie.Simulation(elsie.World(world, plugins=[file]), seed=3)
+        result = here.run()
+        if elsie.same_bits():
+            assert json.loads(run.stdout)["state_hash"] == result.state_hash
+
+    def test_it_commands_actuators_and_talks(self, place):
+        run, _ = place.run("""
+OFFER = elsie.message("offer", x="m", y="m")
+class Talk(elsie.Behavior):
+    \"\"\"Talks.\"\"\"
+    commands = ["say"]
+    hears = [OFFER]
+    heard = elsie.published()
+    def respond(self, now):
+        for offer in now.heard("offer"):
+            assert offer.y == 2.0 and offer.kind == "offer"
+            self.heard = offer.x
+        return elsie.Response().say(OFFER, x=float(now.self.id == "r2") + 1.0, y=2.0)
+""", "<talk/>", actuators='<radio range="3"/>', time_limit=0.5, robots="""<robot id="r2" team="red" x="1"><actuators><radio range="3"/>
+            </actuators><behaviors><talk/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>""")
+        assert run.published("heard").tolist() == [2.0, 1.0]
+
+
+class TestOtherKinds:
+    def test_a_coordinator_asks_and_leaves_a_trace(self, place):
+        run, _ = place.run("""
+class Go(elsie.Behavior):
+    \"\"\"Goes.\"\"\"
+    speed = elsie.parameter(0.1)
+    def respond(self, now):
+        return elsie.Motion(self.speed), self.speed
+class Loudest(elsie.Coordinator):
+    \"\"\"The most active drives.\"\"\"
+    def coordinate(self, members, now):
+        assert [member.name for member in members] == ["slow", "fast"]
+        best = max(members, key=lambda member: member.respond().activation)
+        best.weight = best.share = 1.0
+        best.reason = "most active"
+        return best.respond().motion
+""", '<go id="slow" speed="0.1"/><go id="fast" speed="0.3"/>', coordinator="<loudest/>")
+        assert run.poses[0, 0] > 0.2
+
+    def test_a_fault_of_a_behaviour_is_its_own_below_a_coordinator(self, place):
+        error = fault(place, """
+class Faulty(elsie.Behavior):
+    \"\"\"Fails.\"\"\"
+    def respond(self, now):
+        raise ValueError("oh")
+class Ask(elsie.Coordinator):
+    \"\"\"Asks.\"\"\"
+    def coordinate(self, members, now):
+        return members[0].respond().motion
+""", coordinator="<ask/>")
+        assert error.plugin == "faulty"
+        assert str(error).endswith("mine.py:6: ValueError: oh")
+
+    def test_a_sensor_makes_readings_of_its_own_that_noise_may_change(self, place):
+        run, _ = place.run("""
+class Clearance(elsie.Sensor):
+    \"\"\"Looks to both sides.\"\"\"
+    reading = elsie.reading("clearance", left="m", cells=elsie.array(3, unit="m"))
+    def sense(self, now):
+        return {"left": now.ray(3.0, azimuth_rad=math.pi / 2) or 3.0, "cells": [1, 2, 3]}
+class Read(elsie.Behavior):
+    \"\"\"Reads.\"\"\"
+    needs = ["clearance"]
+    left = elsie.published()
+    cell = elsie.published()
+    def respond(self, now):
+        clear = now.readings["clearance"]
+        self.left = clear.left[0]
+        assert clear.cells.shape == (1, 3)
+        self.cell = clear.cells[0, 2]
+        return elsie.Motion()
+""", "<read/>", sensors='<clearance><noise on="left" bias="10"/></clearance>', time_limit=0.1)
+        assert run.published("left")[0] == pytest.approx(12, abs=0.1)
+        assert run.published("cell")[0] == 3
+
+    def test_a_sensor_may_make_range_readings_for_any_behaviour(self, place):
+        run, _ = place.run("""
+class Wall(elsie.Sensor):
+    \"\"\"Sees a wall that is not there.\"\"\"
+    reading = "range"
+    def sense(self, now):
+        return {"distance_m": 0.01, "max_range_m": 1.0, "hit": True}
+""", "<avoid_obstacle/>", sensors='<wall yaw_deg="20"/>')
+        assert abs(run.poses[0, 2]) > 0.1
+
+    def test_an_actuator_carries_out_commands(self, place):
+        run, _ = place.run("""
+class Flash(elsie.Actuator):
+    \"\"\"Shines.\"\"\"
+    command = elsie.command("flash", on="")
+    shone = elsie.published()
+    def __init__(self):
+        self.shone = 0
+    def act(self, command, now):
+        if command.on > 0.5:
+            now.shine(255, 0, 0, 2.0)
+            now.draw_power(1.0)
+            self.shone += 1
+class Use(elsie.Behavior):
+    \"\"\"Uses it.\"\"\"
+    commands = ["flash"]
+    only_acts = True
+    def respond(self, now):
+        return elsie.Response().act("flash", on=1.0)
+""", "<use/>", actuators="<flash/>", time_limit=0.5)
+        assert run.published("shone")[0] > 10
+
+    def test_a_measure_reports(self, place):
+        _, result = place.run(STAND + """
+class Far(elsie.Measure):
+    \"\"\"How far.\"\"\"
+    quantities = {"": ("m", "farthest"), "steps": ("", "observations")}
+    def reset(self, random):
+        self.far, self.steps = 0.0, 0
+    def observe(self, now):
+        assert now.poses.shape == (1, 3) and now.robots[0].id == "r1" and now.robot("r1").team == "red"
+        self.far = max(self.far, float(abs(now.poses[0, 0])))
+        self.steps += 1
+    def report(self, end):
+        return {"steps": self.steps, "": self.far}
+""", "<stand/>", more="<measures><far/></measures>")
+        assert result.measures["far.steps"] > 10
+        assert result.measures["far"] == pytest.approx(0, abs=1e-9)
+
+    def test_a_rule_changes_the_world_and_ends_the_run(self, place):
+        run, result = place.run(STAND + """
+class Move(elsie.Rule):
+    \"\"\"Moves the robot.\"\"\"
+    raises = {"moved": "it was"}
+    def apply(self, now, world):
+        if now.is_start:
+            world.place("robot[r1]", 1.0, 0.5)
+            world.raise_event("moved", "r1")
+        if now.time > 0.3:
+            world.succeed("it is enough")
+""", "<stand/>", more="<rules><move/></rules>", time_limit=5)
+        assert run.poses[0, :2].tolist() == pytest.approx([1.0, 0.5], abs=0.01)
+        assert result.outcome == "success"
+        assert run.time < 1
+
+    @pytest.mark.parametrize("kind", ["behavior", "coordinator", "sensor", "actuator", "measure", "rule"])
+    def test_new_makes_a_folder_whose_plugin_works(self, place, kind):
+        assert place.elsie("new", kind, "my_thing", "--python").returncode == 0
+        here = place.folder / "my_thing"
+        assert sorted(file.name for file in here.iterdir()) == ["README.md", "my_thing.py", "test_my_thing.py", "world.xml"]
+        run = place.elsie("run", here / "world.xml", "--plugin", here / "my_thing.py", "--quiet")
+        assert (run.returncode, run.stderr) == (0, "")
+        check = place.elsie("test-plugin", here / "my_thing.py")
+        assert check.returncode == 0, check.stdout + check.stderr
+
+    @pytest.mark.parametrize("kind", ["drive", "localisation"])
+    def test_drives_and_localisations_are_only_in_cpp(self, place, kind):
+        run = place.elsie("new", kind, "my_thing", "--python")
+        assert run.returncode == 2
+        assert "must be written in C++" in run.stderr
+
+
+class TestFaults:
+    def test_an_exception_is_named_with_line_robot_and_step(self, place):
+        error = fault(place, """
+class Faulty(elsie.Behavior):
+    \"\"\"Fails.\"\"\"
+    def respond(self, now):
+        if now.time > 0.1:
+            return elsie.Motion(1 / 0)
+        return elsie.Motion()
+""")
+        assert (error.plugin, error.robot) == ("faulty", "r1")
+        assert error.step > 0
+        assert str(error).endswith("mine.py:7: ZeroDivisionError: division by zero")
+
+    def test_the_program_ends_with_code_3(self, place):
+        file = place.script("""
+class Faulty(elsie.Behavior):
+    \"\"\"Fails.\"\"\"
+    def respond(self, now):
+        return [][1]
+""")
+        run = place.elsie("run", place.world("<faulty/>"), "--plugin", file)
+        assert run.returncode == 3
+        assert "plugin 'faulty' of robot 'r1' failed in step 0 (0 s): mine.py:6: IndexError: list index out of range" in run.stderr
+
+    @pytest.mark.parametrize("answer, what", [("3", "respond() returned 3; expected"), ("None", "respond() returned None"),
+                                              ("(elsie.Motion(), 'x')", "respond() returned (Motion("),
+                                              ("(elsie.Motion(), 7.0)", "activation"),
+                                              ("elsie.Motion(math.nan)", "finite"),
+                                              ("elsie.Response().raise_event('x')", "'x'"),
+                                              ("elsie.Response().act('nothing', a=1)", "nothing")])
+    def test_an_answer_that_makes_no_sense_is_refused(self, place, answer, what):
+        error = fault(place, f"""
+class Faulty(elsie.Behavior):
+    \"\"\"Fails.\"\"\"
+    def respond(self, now):
+        return {answer}
+""")
+        assert what in str(error)
+
+    @pytest.mark.parametrize("script, what", [
+        ("class Stand(elsie.Behavior):\n    def respond(self, now) return 1\n", "mine.py:4: SyntaxError"),
+        ("import no_such_module\n" + STAND, "mine.py:3: ModuleNotFoundError: No module named 'no_such_module'"),
+        ("class Stand(elsie.Behavior):\n    def respond(self, now):\n        pass\n", "mine.py:3: Stand has no docstring"),
+        ("class Stand(elsie.Behavior):\n    'Stands'\n", "mine.py:3: Stand has no method respond()"),
+        (STAND + "    needs = 'range'\n", "mine.py:8: Stand.needs is 'range'; expected a list"),
+        (STAND + "    size = elsie.parameter(None)\n", "mine.py:8: the default of the parameter 'size' is None"),
+        (STAND + "    size = elsie.parameter(1.0, max=0)\n", "the default of size is 1"),
+        ("import random\n" + STAND + "    def reset(self, stream):\n        self.x = random.random()\n", "mine.py:10: random.random() gives"),
+        ("import numpy as np\n" + STAND + "    x = np.random.uniform()\n", "mine.py:9: np.random.uniform()"),
+        ("from numpy.random import default_rng\n" + STAND + "    x = default_rng()\n", "mine.py:9: default_rng() without a seed")])
+    def test_a_script_with_a_mistake_is_refused_with_its_line(self, place, script, what):
+        assert what in refused(place, script)
+
+    def test_generators_with_a_seed_are_allowed(self, place):
+        place.run("import numpy as np\nimport random\n" + STAND + "    a = np.random.default_rng(3)\n    b = random.Random(3)\n", "<stand/>",
+                  time_limit=0.1)
+
+    def test_an_endless_loop_is_named(self, place):
+        file = place.script("""
+class Faulty(elsie.Behavior):
+    \"\"\"Never answers.\"\"\"
+    def respond(self, now):
+        while True:
+            pass
+""")
+        run = place.elsie("run", place.world("<faulty/>"), "--plugin", file, "--plugin-time-limit", "1")
+        assert run.returncode == 3
+        assert "'faulty'" in run.stderr and "'r1'" in run.stderr
+
+    def test_ctrl_c_ends_a_run_of_this_process(self, place):
+        script = place.script("""
+import signal
+class Stop(elsie.Behavior):
+    \"\"\"Is interrupted.\"\"\"
+    def respond(self, now):
+        if now.time > 0.2:
+            signal.raise_signal(signal.SIGINT)
+        return elsie.Motion()
+""")
+        run = elsie.Simulation(elsie.World(place.world("<stop/>"), plugins=[script]))
+        with pytest.raises(KeyboardInterrupt):
+            run.run()
+
+    def test_without_python_a_script_is_left_out_with_one_note(self, place):
+        folder = place.folder / "plugins"
+        folder.mkdir()
+        place.script(STAND, "plugins/mine.py")
+        (folder / "tool.py").write_text("print('no plugin')\n")
+        there = without_python(place.folder)
+        run = subprocess.run([there, "run", place.world("<wander/>", time_limit=0.1), "--plugin-path", folder, "--quiet"],
+                             capture_output=True, text=True)
+        assert "mine.py: is written in Python, and this Elsie was built without Python; it is left out" in run.stderr
+        assert run.stderr.count(".py") == 1
+        named = subprocess.run([there, "run", place.world("<stand/>"), "--plugin", folder / "mine.py"], capture_output=True, text=True)
+        assert named.returncode == 2
+        assert "is written in Python, and this Elsie was built without Python" in named.stderr
+
+
+def without_python(folder):
+    """A copy of the program without the part that starts Python."""
+    program = Path(elsie.program())
+    lib, there = program.parents[1] / "lib", folder / "elsie"
+    (there / "bin").mkdir(parents=True)
+    shutil.copy(program, there / "bin/elsie")
+    (there / "lib/elsie").mkdir(parents=True)
+    for each in lib.glob("*.so*"):
+        # The core finds its parts next to its own file.
+        shutil.copy(each, there / "lib" / each.name) if each.name.startswith("libelsie.so") else (there / "lib" / each.name).symlink_to(each)
+    for each in (lib / "elsie").iterdir():
+        if each.name != "python.so":
+            (there / "lib/elsie" / each.name).symlink_to(each)
+    return there / "bin/elsie"
+
+
+class TestInRuns:
+    def test_an_edited_script_replaces_its_objects(self, place):
+        file = place.script(STAND.replace("elsie.Motion()", "elsie.Motion(0.1)"))
+        world = place.world("<stand/>", time_limit=1e5)
+        process = subprocess.Popen([elsie.program(), "run", world, "--plugin", file, "--watch", "--realtime"], cwd=place.folder,
+                                   stderr=subprocess.PIPE, text=True)
+        try:
+            time.sleep(2.0)
+            place.script(STAND.replace("elsie.Motion()", "elsie.Motion(0.2)").replace("Stands.", "Drives."))
+            line = ""
+            end = time.time() + 20
+            while "mine.py" not in line and time.time() < end:
+                line = process.stderr.readline()
+            assert "mine.py" in line
+        finally:
+            process.send_signal(signal.SIGINT)
+            process.wait(20)
+
+    def test_a_study_keeps_the_hash_of_the_script(self, place):
+        file = place.script(STAND)
+        place.world("<stand/>", time_limit=0.1)
+        (place.folder / "study.xml").write_text('<experiment format="1"><worlds><world file="world.xml"/></worlds>'
+                                                '<seeds count="2"/></experiment>')
+        run = place.elsie("batch", "study.xml", "--plugin-path", place.folder, "--database", "a.sqlite")
+        assert run.returncode == 0, run.stderr
+        assert place.elsie("replay", "a.sqlite", "--plugin-path", place.folder).returncode == 0
+        place.script(STAND + "# changed\n")
+        resumed = place.elsie("batch", "study.xml", "--plugin-path", place.folder, "--database", "a.sqlite", "--resume")
+        assert file.name in resumed.stderr + resumed.stdout
+
+
+def test_a_simple_behaviour_decides_fast_enough(place):
+    """The bench has the figure; this finds what is many times slower."""
+    run, _ = place.run(EXAMPLE.joinpath("orbit.py").read_text(), "<orbit/>", sensors="<beam_range/>" * 1, time_limit=0.1)
+    start = time.perf_counter()
+    run.reset(seed=1)
+    run.run()
+    assert time.perf_counter() - start < 1.0
+    assert np.isfinite(run.poses).all()
