@@ -85,7 +85,8 @@ def _row(result: Result) -> dict[str, Any]:
 
 def program() -> str:
     """The program `elsie` of this installation. Raises `elsie.Error` if there is none."""
-    for folder in Path(_elsie.__file__).parents:
+    package = Path(_elsie.__file__).parent
+    for folder in (package / "_root", *package.parents):  # the first: pip keeps all of Elsie in the package
         candidate = folder / "bin" / "elsie"
         if os.access(candidate, os.X_OK) and candidate.is_file():
             return str(candidate)
