@@ -13,7 +13,7 @@ from storeys import (EXCEPTIONS, HEADERS_ALONE, MAY_NEED, MAY_NEED_BY_NAME, MODU
 BUILD = Path(sys.argv[1])
 SOURCES = Path(sys.argv[2])
 
-MOST_LINES_OF_CORE = 27_980
+MOST_LINES_OF_CORE = 28_000
 WATCHED = UNWANTED | set(MAY_NEED_BY_NAME) | set().union(*MAY_NEED_BY_NAME.values())
 
 
