@@ -41,7 +41,7 @@ class RobotResult(NamedTuple):
     """x and y in m, heading in rad."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Result:
     """What a run came to, or has come to so far."""
 
@@ -51,7 +51,7 @@ class Result:
     seed: int
     time_s: float
     """Simulated."""
-    wall_s: float
+    wall_s: float = field(compare=False)
     """On the clock."""
     steps: int
     state_hash: str
@@ -63,7 +63,7 @@ class Result:
     robots: list[RobotResult]
     events: list[Event]
     notes: list[Note]
-    account: Optional[_elsie.Account] = field(default=None, repr=False, compare=False)
+    account: Optional[_elsie.Account] = field(default=None, compare=False)
 
     @property
     def success(self) -> bool:
@@ -92,6 +92,13 @@ class Result:
         if not self.robots:
             raise InputError("there is no robot in this run")
         return self.account
+
+    def __getstate__(self) -> dict[str, Any]:
+        """For pickle: all but the trace."""
+        return {**self.__dict__, "account": None}
+
+    def __repr__(self) -> str:
+        return f"<elsie.Result: {self}>"
 
     def __str__(self) -> str:
         return f"{self.outcome} after {self.time_s:.1f} s: {self.reason}"

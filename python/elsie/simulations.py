@@ -221,7 +221,7 @@ class Simulation(_elsie.Simulation, Paths):
     def events(self) -> list[Event]:
         """Everything that happened so far, in order."""
         self._events.extend(Event(*each) for each in self._events_from(len(self._events)))
-        return self._events
+        return list(self._events)
 
     @property
     def notes(self) -> list[Note]:

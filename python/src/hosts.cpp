@@ -10,6 +10,8 @@
 #include "elsie/plugin/script.h"
 #include "elsie/plugin/search_path.h"
 
+#include "bindings.h"
+
 namespace elsie::python {
 namespace {
 
@@ -35,6 +37,9 @@ plugin::SearchDirectory place_of(const std::string& name) {
 }  // namespace
 
 std::shared_ptr<const plugin::Host> default_host() {
+  // Scripts run meanwhile, and let other threads of Python run: one that waits here must not keep
+  // the GIL from them.
+  const py::gil_scoped_release released;
   // Never destroyed: a script's classes must not be released when Python has ended.
   static const auto* const host = new std::shared_ptr<const plugin::Host>(
       std::make_shared<plugin::Host>(plugin::default_search_path()));

@@ -4,6 +4,7 @@ import csv
 import gc
 import json
 import os
+import pickle
 import subprocess
 import sys
 import threading
@@ -211,6 +212,13 @@ def test_the_trace_says_who_decided(run):
     assert sums["decided_s"].sum() <= 5 + 1e-9
     with pytest.raises(elsie.InputError, match="r1"):
         result.trace("r9")
+
+
+def test_equal_runs_have_equal_results_which_may_be_pickled(world):
+    one, two = elsie.Simulation(world, 5).run(), elsie.Simulation(world, 5).run()
+    assert one == two != elsie.Simulation(world, 6).run()
+    assert pickle.loads(pickle.dumps(one)) == one
+    assert repr(one) == f"<elsie.Result: {one}>"
 
 
 def test_without_watch_there_is_no_trace(world):
