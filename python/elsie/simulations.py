@@ -200,6 +200,15 @@ class Simulation(_elsie.Simulation, Paths):
         """Collisions so far. A view."""
         return self._of_robots("collisions")
 
+    @property
+    def obstacles(self) -> npt.NDArray[np.float64]:
+        """Poses of boxes and resources, in the order of `obstacle_ids`: x m, y m, heading rad; NaN: it was collected. A view."""
+        return self._of_obstacles()
+
+    def field(self, name: str) -> npt.NDArray[np.float64]:
+        """A field over the floor, units/m2: rows from south to north, each from west to east. A view."""
+        return self._of_field(name)
+
     def readings(self, name: str) -> npt.NDArray[Any]:
         """The readings of all sensors with this id, else this plugin, else this kind of reading ("range").
 

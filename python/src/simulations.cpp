@@ -267,6 +267,9 @@ void bind_simulations(py::module_& module) {
       .def("_record_to", &Simulation::record)
       .def("_of_robots", [](Simulation& self,
                             const std::string& name) { return self.table(&table_of_robots, name); })
+      .def("_of_obstacles", [](Simulation& self) { return self.table(&table_of_obstacles, ""); })
+      .def("_of_field", [](Simulation& self,
+                           const std::string& name) { return self.table(&table_of_field, name); })
       .def("_readings_of",
            [](Simulation& self, const std::string& name) {
              return self.table(&table_of_readings, name);
@@ -281,6 +284,16 @@ void bind_simulations(py::module_& module) {
       .def_property_readonly(
           "robots", [](Simulation& self) { return robot_ids(self.now()); },
           "Ids, in the order of all arrays with a row for each robot.")
+      .def_property_readonly(
+          "obstacle_ids",
+          [](Simulation& self) {
+            py::list ids;
+            for (const world::Obstacle& obstacle : self.now().world().obstacles) {
+              ids.append(obstacle.id);
+            }
+            return ids;
+          },
+          "Ids, in the order of `obstacles`.")
       .def_property_readonly(
           "time", [](Simulation& self) { return self.now().time_s(); }, "Simulated time, s.")
       .def_property_readonly(

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "elsie/base/error.h"
+#include "elsie/base/near_name.h"
 
 namespace elsie::python {
 namespace {
@@ -96,6 +98,42 @@ Table table_of_robots(const simulation::Simulation& now, const std::string& name
         now, 0, [](const RobotView& robot, std::int64_t* at) { *at = robot.collisions; });
   }
   throw base::BadInput("there is no array '" + name + "'");
+}
+
+Table table_of_obstacles(const simulation::Simulation& now, const std::string&) {
+  const std::size_t count = now.world().obstacles.size();
+  constexpr py::ssize_t kOfPose = 3;
+  return {py::dtype::of<double>(),
+          {static_cast<py::ssize_t>(count), kOfPose},
+          [count](const simulation::Simulation& then, std::span<std::byte> memory) {
+            auto* at = reinterpret_cast<double*>(memory.data());
+            const double none = std::numeric_limits<double>::quiet_NaN();
+            for (std::size_t i = 0; i < std::min(count, then.world().obstacles.size()); ++i) {
+              put_pose(then.obstacle(i).value_or(Pose{none, none, none}), at);
+              at += kOfPose;
+            }
+          }};
+}
+
+Table table_of_field(const simulation::Simulation& now, const std::string& name) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < now.fields(); ++i) {
+    const simulation::FieldView field = now.field(i);
+    names.push_back(field.description->id);
+    if (names.back() != name) continue;
+    return {
+        py::dtype::of<double>(),
+        {static_cast<py::ssize_t>(field.cells.rows), static_cast<py::ssize_t>(field.cells.columns)},
+        [i](const simulation::Simulation& then, std::span<std::byte> memory) {
+          if (i >= then.fields()) return;
+          const simulation::FieldView view = then.field(i);
+          auto* at = reinterpret_cast<double*>(memory.data());
+          const std::size_t count = std::min(view.grid.size(), memory.size() / sizeof *at);
+          for (std::size_t k = 0; k < count; ++k) at[k] = view.scale * view.grid[k];
+        }};
+  }
+  throw base::BadInput("the world has no field '" + name + "'" +
+                       base::near_or_all(name, names, "there are"));
 }
 
 }  // namespace elsie::python

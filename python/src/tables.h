@@ -41,6 +41,11 @@ class Table {
 /// A table by the name of its property: "poses", "beliefs", "motions", "commands", "energies",
 /// "distances", "collisions"; with a row for each robot.
 Table table_of_robots(const simulation::Simulation& now, const std::string& name);
+/// The poses of all obstacles; NaN for those that were collected. `name` has no meaning.
+Table table_of_obstacles(const simulation::Simulation& now, const std::string& name);
+/// A field of the world: rows from south to north, each from west to east, units/m2. Throws
+/// base::BadInput if there is none of this name.
+Table table_of_field(const simulation::Simulation& now, const std::string& name);
 /// The readings of all sensors with this id, plugin or kind of reading. Throws base::BadInput if
 /// there are none.
 Table table_of_readings(const simulation::Simulation& now, const std::string& name);

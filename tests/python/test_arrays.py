@@ -76,6 +76,27 @@ def test_readings_with_arrays_have_a_second_axis(world):
     assert ranges.ndim == 2 and ranges.shape[0] == 1 and np.isfinite(ranges).all()
 
 
+def test_obstacles_have_poses_until_they_are_collected(world):
+    world.add("resources", '<resource id="food" x="0.5" y="1.5"/>')
+    run = elsie.Simulation(world)
+    obstacles = run.obstacles
+    assert run.obstacle_ids == ["block", "food"]
+    assert obstacles[0] == pytest.approx([1, 0.5, 0])
+    del run["resource[food]"]
+    assert run.obstacles.shape == (1, 3) and obstacles.shape == (2, 3)
+
+
+def test_a_field_is_a_grid(world):
+    world.add("fields", '<field id="ink" cell="0.5" start="2"/>')
+    run = elsie.Simulation(world)
+    ink = run.field("ink")
+    assert ink.shape == (8, 8) and (ink == 2).all()
+    run.step(10)
+    assert np.shares_memory(ink, run.field("ink"))
+    with pytest.raises(elsie.InputError, match="ink"):
+        run.field("inc")
+
+
 def test_published_numbers_by_name():
     run = elsie.Simulation("worlds/flock.xml", time_limit=2)
     run.step(10)
