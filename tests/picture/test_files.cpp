@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/picture/image_file.h"
 #include "elsie/picture/plot.h"
 #include "elsie/picture/top_view.h"
 #include "elsie/world/description.h"
@@ -83,6 +84,29 @@ TEST_CASE("A picture is as wide as asked for, and by default as high as its cont
   save_top_view(view, folder / "c.png", {800, 600});
   CHECK(Bitmap(folder / "c.png").width() == 800);
   CHECK(Bitmap(folder / "c.png").height() == 600);
+}
+
+TEST_CASE("The same picture without a file: as text and pixel by pixel") {
+  const Folder folder;
+  const world::World world = world_of_everything();
+  const TopView view = busy_view(world);
+  save_top_view(view, folder / "a.svg", {800, 600});
+  CHECK(top_view_svg(view, {800, 600}) == bytes_of(folder / "a.svg"));
+
+  save_top_view(view, folder / "a.png", {800, 600});
+  const Image image = top_view_image(view, {800, 600});
+  CHECK((image.width == 800 && image.height == 600 && image.channels == 3));
+  write_png(image, folder / "b.png");
+  const Bitmap drawn(folder / "a.png"), written(folder / "b.png");
+  int others = 0;
+  for (int y = 0; y < 600; ++y) {
+    for (int x = 0; x < 800; ++x) {
+      const Vector2 at{x + 0.5, y + 0.5};
+      const Pixel a = drawn.at(at), b = written.at(at);
+      others += a.red != b.red || a.green != b.green || a.blue != b.blue;
+    }
+  }
+  CHECK(others == 0);
 }
 
 TEST_CASE("A bare picture is the arena alone, at the picture's edges") {
