@@ -75,7 +75,8 @@ int main(int argc, char** argv) {
       "plugin-path", "Directory with plugin libraries, searched before all others; may be repeated",
       "DIR");
   const QCommandLineOption plugin(
-      "plugin", "Plugin library, or a plugin's one source file; may be repeated", "FILE");
+      "plugin", "Plugin library, a plugin's one source file, or one in Python; may be repeated",
+      "FILE");
   const QCommandLineOption elsie("elsie", "The program elsie, if it is not next to this one",
                                  "FILE");
   parser.addOptions({plugin_path, plugin, elsie});

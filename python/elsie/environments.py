@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from elsie import _elsie
 from elsie.errors import InputError
-from elsie.simulations import _note_of_bits as note_of_bits
+from elsie.simulations import note_of_bits
 from elsie.spaces import Box, Discrete, MultiDiscrete
 
 Named = Union[str, tuple[str, float, float]]
