@@ -55,6 +55,25 @@ std::string account(const simulation::RunResult& result) {
   return text;
 }
 
+/// What so many threads see of a run, each of a simulation of its own, from its making to its end.
+std::vector<std::string> at_once(std::size_t count, const world::World& world,
+                                 const std::string& path = "", const std::string& value = "") {
+  std::vector<std::string> seen(count);
+  std::vector<std::thread> all;
+  for (std::string& mine : seen) {
+    all.emplace_back([&] {
+      Simulation simulation(world, shipped(), threads(1));
+      if (!path.empty()) simulation.edit(path, value);
+      mine = account(simulation.run());
+      simulation.reset(3);
+      for (int i = 0; i < 20; ++i) simulation.step();
+      mine += " " + std::to_string(simulation.state_hash());
+    });
+  }
+  for (std::thread& each : all) each.join();
+  return seen;
+}
+
 }  // namespace
 
 #if !defined(__SANITIZE_THREAD__)  // which builds only some plugins
@@ -76,7 +95,44 @@ TEST_CASE("Every shipped world runs the same with 1, 2, 3 and 8 threads, with bo
     }
   }
 }
+
+TEST_CASE("Every shipped world runs the same beside itself in other threads") {
+  for (const auto& file : std::filesystem::recursive_directory_iterator(source_path("worlds"))) {
+    if (file.path().extension() != ".xml") continue;
+    CAPTURE(file.path());
+    world::ReadOptions options;
+    options.data_directories = {source_path("")};
+    const world::World world = world::read_world(file.path().string(), shipped(), options);
+    const std::string alone = account(Simulation(world, shipped(), threads(1)).run());
+    for (const std::string& seen : at_once(3, world)) CHECK(seen.starts_with(alone + " "));
+  }
+}
 #endif
+
+TEST_CASE("Several simulations of a world run at once in threads, each as if alone") {
+  for (const char* engine : {"ode", "planar"}) {
+    CAPTURE(engine);
+    world::ReadOptions options;
+    options.data_directories = {source_path("")};
+    const world::World world =
+        world::parse_world(std::string("<world format=\"1\"><physics engine=\"") + engine + R"("/>
+          <arena length="4" width="4"/>
+          <obstacles><dynamic_box x="0.6" y="0.1"/><static_box x="-1" y="1"/></obstacles>
+          <robots>
+            <robot id="r1"><sensors><beam_range error="0.05"/></sensors>
+              <behaviors><avoid_obstacle/><wander/></behaviors>
+              <coordinator><arbiter_suppression/></coordinator></robot>
+            <robot id="r2" x="-1"><sensors><beam_range/></sensors>
+              <behaviors><braitenberg/></behaviors>
+              <coordinator><arbiter_suppression/></coordinator></robot>
+          </robots></world>)",
+                           "at_once.xml", shipped(), options);
+    const std::string edited = "robot[r2]/behavior[braitenberg]/@priority";
+    CHECK(at_once(4, world) == std::vector<std::string>(4, at_once(1, world).front()));
+    CHECK(at_once(4, world, edited, "2") ==
+          std::vector<std::string>(4, at_once(1, world, edited, "2").front()));
+  }
+}
 
 TEST_CASE("Robots are asked in several threads, each in one at a time") {
   std::mutex guard;

@@ -112,9 +112,11 @@ void Episode::find_names() {
   eyes_.clear();
   hands_.clear();
   robots_.clear();
+  states_.clear();
   for (const std::string& id : declared_.robots) {
     const std::size_t robot = index_of(simulation_->world(), id);
     robots_.push_back(robot);
+    states_.push_back(simulation_->robot(robot).state);
     eyes_.emplace_back(*simulation_, host_, robot, declared_.observe);
     hands_.emplace_back(*simulation_, host_, robot, declared_.act, by_edits_);
     if (declared_.observed.empty()) continue;
@@ -182,7 +184,9 @@ void Episode::step(const float* actions) {
   truncated_ = outcome == simulation::Outcome::time_limit;
   terminated_ = outcome != simulation::Outcome::running && !truncated_;
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    ended_[i] = terminated_ || simulation_->robot(robots_[i]).empty;
+    // A view of the robot costs more than a look at its battery.
+    const bool may_be_empty = !(states_[i]->energy > 0.0);
+    ended_[i] = terminated_ || (may_be_empty && simulation_->robot(robots_[i]).empty);
   }
   if (!truncated_ && std::all_of(ended_.begin(), ended_.end(), [](char ended) { return ended; })) {
     terminated_ = true;

@@ -97,6 +97,7 @@ class Episode {
   std::size_t seen_ = 0;    // events that were looked at
   int since_decision_ = 0;  // steps
   std::vector<std::size_t> robots_;
+  std::vector<const OwnState*> states_;
   std::vector<Observing> eyes_;
   std::vector<Acting> hands_;
   std::unique_ptr<Rewarding> rewarding_;
