@@ -71,6 +71,7 @@ std::string start() {
            ")";
   }
   if (c_function<int()>("Py_IsInitialized")() != 0) return "";
+  setenv("OPENBLAS_NUM_THREADS", "1", 0);  // numpy's sums must not depend on the machine
   // Sets and dictionaries have the same order in every process.
   constexpr const char* kHashSeed = "PYTHONHASHSEED";
   const char* const before = std::getenv(kHashSeed);
