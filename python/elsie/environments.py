@@ -191,7 +191,7 @@ class Base:
         return self._open.worlds.picture(world, width) if self.render_mode == "rgb_array" else None
 
 
-class Env(Base, _GymEnv):  # type: ignore[misc]
+class Env(Base, _GymEnv):
     """One world: a Gymnasium environment if Gymnasium is installed, with the same interface if not.
 
     world: a file, a shipped world, or an elsie.World.
@@ -220,8 +220,7 @@ class Env(Base, _GymEnv):  # type: ignore[misc]
         self.observation_space = setup.stacked("observation")
         self.action_space = setup.stacked("action")
         numbers = (len(setup.action_names[0]),)
-        setup.worlds.action_shape = numbers if setup.is_one else (len(setup.robots), *numbers)
-        setup.worlds.observation_shape = self.observation_space.shape
+        setup.worlds.set_shapes(numbers if setup.is_one else (len(setup.robots), *numbers), self.observation_space.shape)
         self._step = setup.worlds.step_alone
         self._plain = setup.reward is None and not setup.is_choice
         self._before: Any = None
@@ -229,6 +228,7 @@ class Env(Base, _GymEnv):  # type: ignore[misc]
 
     @property
     def unwrapped(self) -> "Env":
+        """The environment itself: it wraps none."""
         return self
 
     @property
@@ -281,7 +281,7 @@ class Env(Base, _GymEnv):  # type: ignore[misc]
         """The rewards of the last step by robot."""
         return dict(zip(self.robots, self._open.worlds.rewards[0].tolist()))
 
-    def render(self) -> Optional[NDArray[np.uint8]]:  # type: ignore[override, unused-ignore]
+    def render(self) -> Optional[NDArray[np.uint8]]:
         """The world from above: (height, width, 3)."""
         return self._picture(0)
 

@@ -28,7 +28,7 @@ else:
         _ParallelEnv = object
 
 
-class ParallelEnv(Base, _ParallelEnv):  # type: ignore[misc]
+class ParallelEnv(Base, _ParallelEnv):
     """One world whose robots are agents: PettingZoo's if it is installed, with the same interface if not.
 
     The arguments are those of `Env`; a reward function gets what one agent observed, did and observes then. An agent whose battery is
@@ -55,8 +55,8 @@ class ParallelEnv(Base, _ParallelEnv):  # type: ignore[misc]
         first = np.cumsum([0, *counts])
         self._actions = np.zeros((1, int(first[-1])), np.float32)
         self._hands = {robot: slice(int(first[i]), int(first[i + 1])) for i, robot in enumerate(setup.robots)}
-        setup.worlds.action_shape = self._actions.shape
-        self._row = setup.worlds.observations[0]
+        setup.worlds.set_shapes(self._actions.shape, self.state_space.shape)
+        self._row: Floats = setup.worlds.observations[0]
         self._before: dict[str, Any] = {}
 
     def observation_space(self, agent: str) -> Any:
@@ -129,18 +129,22 @@ class ParallelEnv(Base, _ParallelEnv):  # type: ignore[misc]
 
     @property
     def unwrapped(self) -> "ParallelEnv":
+        """The environment itself: it wraps none."""
         return self
 
     @property
     def num_agents(self) -> int:
+        """How many agents have not come to their end."""
         return len(self.agents)
 
     @property
     def max_num_agents(self) -> int:
+        """How many there are at the start."""
         return len(self.possible_agents)
 
     @property
     def state_hash(self) -> str:
+        """Of the world's state, as results have it."""
         return self._open.worlds.state_hash(0)
 
     def save(self, file: Union[str, "os.PathLike[str]"]) -> None:

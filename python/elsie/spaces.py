@@ -84,7 +84,7 @@ class _Discrete(_Space[np.int64]):
 
     def contains(self, x: Any) -> bool:
         is_whole = isinstance(x, (int, np.integer)) or (isinstance(x, np.ndarray) and x.shape == () and x.dtype.kind in "iu")
-        return is_whole and 0 <= int(x) < self.n
+        return bool(is_whole and 0 <= int(x) < self.n)
 
     def sample(self, mask: None = None) -> np.int64:
         return np.int64(self.np_random.integers(self.n))

@@ -54,7 +54,7 @@ def _batched(space: Any, count: int) -> Any:
     return Box(np.stack([space.low] * count), np.stack([space.high] * count), dtype=space.dtype)
 
 
-class VectorEnv(Base, _GymVectorEnv):  # type: ignore[misc]
+class VectorEnv(Base, _GymVectorEnv):
     """`num_envs` worlds: a Gymnasium vector environment if Gymnasium is installed, with the same interface if not.
 
     The other arguments are those of `Env`. threads: None: as many as the machine has processors. copy: False: observations are views
@@ -86,7 +86,8 @@ class VectorEnv(Base, _GymVectorEnv):  # type: ignore[misc]
         self.observation_space = _batched(self.single_observation_space, num_envs)
         self.action_space = _batched(self.single_action_space, num_envs)
         numbers = (len(setup.action_names[0]),)
-        setup.worlds.action_shape = (num_envs, *numbers) if setup.is_one else (num_envs, len(setup.robots), *numbers)
+        setup.worlds.set_shapes((num_envs, *numbers) if setup.is_one else (num_envs, len(setup.robots), *numbers),
+                                self.observation_space.shape)
         # Views: they show what the last step did.
         shape = self.observation_space.shape
         self._observations: Floats = setup.worlds.observations.reshape(shape)
@@ -98,6 +99,7 @@ class VectorEnv(Base, _GymVectorEnv):  # type: ignore[misc]
 
     @property
     def unwrapped(self) -> "VectorEnv":
+        """The environment itself: it wraps none."""
         return self
 
     @property

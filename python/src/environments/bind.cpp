@@ -183,8 +183,11 @@ void bind_environments(py::module_& module) {
       .def(py::init(&make), py::arg("world"), py::arg("count"), py::arg("threads"),
            py::arg("robots"), py::arg("observe"), py::arg("act"), py::arg("rewards"),
            py::arg("steps"), py::arg("duration"))
-      .def_readwrite("action_shape", &Held::shape)
-      .def_readwrite("observation_shape", &Held::observed_shape)
+      .def("set_shapes",
+           [](Held& held, std::vector<py::ssize_t> actions, std::vector<py::ssize_t> observations) {
+             held.shape = std::move(actions);
+             held.observed_shape = std::move(observations);
+           })
       .def("observed",
            [](const Held& held, std::size_t robot) { return listed(held.worlds.observed(robot)); })
       .def("acted",
