@@ -1,12 +1,15 @@
 """A learning curve as CSV, and as a picture: by matplotlib if it is installed, else a plain SVG."""
+from collections.abc import Sequence
+
+Curve = Sequence[tuple[float, float]]
 
 
-def draw(curve, name):
+def draw(curve: Curve, name: str) -> None:
     with open(f"{name}.csv", "w", encoding="utf-8") as table:
         table.write("generation,mean,best\n")
-        table.writelines(f"{i + 1},{mean!r},{best!r}\n" for i, (mean, best) in enumerate((float(m), float(b)) for m, b in curve))
+        table.writelines(f"{i + 1},{mean!r},{best!r}\n" for i, (mean, best) in enumerate(curve))
     try:
-        from matplotlib.figure import Figure
+        from matplotlib.figure import Figure  # type: ignore[import, unused-ignore]
     except ImportError:
         return plain(curve, f"{name}.svg")
     figure = Figure(figsize=(6, 4))
@@ -17,10 +20,10 @@ def draw(curve, name):
     figure.savefig(f"{name}.svg")
 
 
-def plain(curve, file):
+def plain(curve: Curve, file: str) -> None:
     low, high = min(min(row) for row in curve), max(max(row) for row in curve)
 
-    def line(column, colour):
+    def line(column: int, colour: str) -> str:
         points = " ".join(f"{60 + 500 * i / max(1, len(curve) - 1):.1f},{340 - 300 * (row[column] - low) / ((high - low) or 1):.1f}"
                           for i, row in enumerate(curve))
         return f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="2"/>'

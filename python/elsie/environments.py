@@ -160,6 +160,25 @@ class Base:
         self.render_mode = render_mode
         self.metadata = setup.metadata()
         self.robots = tuple(setup.robots)
+        self._seed(1)
+
+    def _seed(self, seed: int) -> None:
+        self._np_random = np.random.Generator(np.random.PCG64(seed))
+        self._np_random_seed = seed
+
+    @property
+    def np_random(self) -> np.random.Generator:
+        """Random numbers that reset(seed=...) begins anew; the world has its own."""
+        return self._np_random
+
+    @np_random.setter
+    def np_random(self, value: np.random.Generator) -> None:
+        self._np_random, self._np_random_seed = value, -1
+
+    @property
+    def np_random_seed(self) -> int:
+        """With which `np_random` began; -1: somebody replaced it."""
+        return self._np_random_seed
 
     @property
     def _open(self) -> Setup:
@@ -224,30 +243,17 @@ class Env(Base, _GymEnv):
         self._step = setup.worlds.step_alone
         self._plain = setup.reward is None and not setup.is_choice
         self._before: Any = None
-        self._np_random: Optional[np.random.Generator] = None
 
     @property
     def unwrapped(self) -> "Env":
         """The environment itself: it wraps none."""
         return self
 
-    @property
-    def np_random(self) -> np.random.Generator:
-        """Random numbers that reset(seed=...) begins anew; the world has its own."""
-        if self._np_random is None:
-            self._np_random = np.random.Generator(np.random.PCG64(1))
-        return self._np_random
-
-    @np_random.setter
-    def np_random(self, value: np.random.Generator) -> None:
-        self._np_random = value
-
     def reset(self, *, seed: Optional[int] = None, options: Optional[dict[str, Any]] = None) -> tuple[Floats, dict[str, Any]]:
         """Begins an episode: with this seed, or with the next one that follows from it. The first seed is 1."""
         worlds = self._open.worlds
         if seed is not None:
-            self._np_random = np.random.Generator(np.random.PCG64(checked_seed(seed)))
-            self._np_random_seed = seed
+            self._seed(checked_seed(seed))
         worlds.begin([0], [] if seed is None else [seed])
         observation: Floats = worlds.observations.reshape(self.observation_space.shape).copy()
         self._before = observation

@@ -95,23 +95,11 @@ class VectorEnv(Base, _GymVectorEnv):
         self._rewards = setup.worlds.rewards[:, 0] if len(setup.robots) == 1 else None
         self._terminated, self._truncated, self._begun = setup.worlds.terminated, setup.worlds.truncated, setup.worlds.begun
         self._before: Any = None
-        self._np_random: Optional[np.random.Generator] = None
 
     @property
     def unwrapped(self) -> "VectorEnv":
         """The environment itself: it wraps none."""
         return self
-
-    @property
-    def np_random(self) -> np.random.Generator:
-        """Random numbers that reset(seed=...) begins anew; the worlds have their own."""
-        if self._np_random is None:
-            self._np_random = np.random.Generator(np.random.PCG64(1))
-        return self._np_random
-
-    @np_random.setter
-    def np_random(self, value: np.random.Generator) -> None:
-        self._np_random = value
 
     def reset(self, *, seed: Union[None, int, Sequence[Optional[int]]] = None,
               options: Optional[dict[str, Any]] = None) -> tuple[Floats, dict[str, Any]]:
@@ -127,7 +115,7 @@ class VectorEnv(Base, _GymVectorEnv):
             seeds = [None] * self.num_envs
         elif isinstance(seed, (int, np.integer)):
             seeds = [checked_seed(seed) + i for i in range(self.num_envs)]
-            self._np_random = np.random.Generator(np.random.PCG64(int(seed)))
+            self._seed(int(seed))
         else:
             seeds = [None if each is None else checked_seed(each) for each in seed]
             if len(seeds) != self.num_envs:
