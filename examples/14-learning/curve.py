@@ -9,7 +9,7 @@ def draw(curve: Curve, name: str) -> None:
         table.write("generation,mean,best\n")
         table.writelines(f"{i + 1},{mean!r},{best!r}\n" for i, (mean, best) in enumerate(curve))
     try:
-        from matplotlib.figure import Figure  # type: ignore[import, unused-ignore]
+        from matplotlib.figure import Figure
     except ImportError:
         return plain(curve, f"{name}.svg")
     figure = Figure(figsize=(6, 4))

@@ -143,6 +143,11 @@ class ParallelEnv(Base, _ParallelEnv):
         return len(self.possible_agents)
 
     @property
+    def time_s(self) -> float:
+        """Simulated, of this episode."""
+        return self._open.worlds.time_s(0)
+
+    @property
     def state_hash(self) -> str:
         """Of the world's state, as results have it."""
         return self._open.worlds.state_hash(0)

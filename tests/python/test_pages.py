@@ -10,7 +10,7 @@ import pytest
 import elsie
 
 SOURCE = Path(__file__).resolve().parents[2]
-PAGES = ["docs/python.md"]
+PAGES = ["docs/python.md", "docs/learning.md"]
 
 
 def blocks(page):
