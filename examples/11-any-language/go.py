@@ -3,12 +3,13 @@
 import json
 import math
 import sys
+from typing import Any
 
 KEEPS_AWAY = 0.6  # m
 FORCE = 0.05
 
 
-def drive(now):
+def drive(now: dict[str, Any]) -> dict[str, float]:
     me, goal = now["self"], now["team"]["charger"]
     bearing = math.atan2(goal["y"] - me["y"], goal["x"] - me["x"]) - me["heading"]
     x, y = math.cos(bearing), math.sin(bearing)
