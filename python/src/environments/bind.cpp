@@ -154,8 +154,11 @@ std::size_t checked(const Held& held, std::size_t world) {
   return world;
 }
 
-const simulation::Simulation& simulation_of(const Held& held, std::size_t world) {
-  return held.worlds.begun_episode(checked(held, world)).simulation();
+/// Looks at the simulation of a world between two steps.
+template <class Look>
+auto look_at(const Held& held, std::size_t world, const Look& look) {
+  return held.worlds.look_at(checked(held, world),
+                             [&](const Episode& episode) { return look(episode.simulation()); });
 }
 
 /// A step of the only world: what elsie.Env returns but for its info.
@@ -217,13 +220,18 @@ void bind_environments(py::module_& module) {
                          std::size_t world) { return held.worlds.outcome(checked(held, world)); })
       .def("seed",
            [](const Held& held, std::size_t world) {
-             return held.worlds.begun_episode(checked(held, world)).seed();
+             return held.worlds.look_at(checked(held, world),
+                                        [](const Episode& episode) { return episode.seed(); });
            })
       .def("time_s",
-           [](const Held& held, std::size_t world) { return simulation_of(held, world).time_s(); })
+           [](const Held& held, std::size_t world) {
+             return look_at(held, world, [](const auto& now) { return now.time_s(); });
+           })
       .def("state_hash",
            [](const Held& held, std::size_t world) {
-             return simulation::hash_text(simulation_of(held, world).state_hash());
+             return look_at(held, world, [](const auto& now) {
+               return simulation::hash_text(now.state_hash());
+             });
            })
       .def("save",
            [](Held& held, std::size_t world, const std::string& file) {

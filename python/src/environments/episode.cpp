@@ -194,6 +194,13 @@ void Episode::step(const float* actions) {
   is_sound_ = true;
 }
 
+const simulation::Simulation& Episode::simulation() const {
+  if (!simulation_) {
+    throw base::BadInput("This episode could not begin: call reset() with another seed");
+  }
+  return *simulation_;
+}
+
 void Episode::observe(float* to) const {
   for (const Observing& each : eyes_) {
     each.read(*simulation_, to);

@@ -61,7 +61,8 @@ class Episode {
 
   const std::vector<Observing>& eyes() const { return eyes_; }
   const std::vector<Acting>& hands() const { return hands_; }
-  const simulation::Simulation& simulation() const { return *simulation_; }
+  /// Throws base::BadInput when the last begin() could make no world.
+  const simulation::Simulation& simulation() const;
   std::uint64_t seed() const { return seed_; }
 
   /// Keeps the episode so far: its world with the actions as edits (.xml), or a recording (.mcap).

@@ -45,22 +45,11 @@ class OfWorld : public Fault {
 
 }  // namespace
 
-/// One thread at a time.
-class Worlds::Work {
- public:
-  explicit Work(std::atomic_flag& at_work) : at_work_(at_work) {
-    if (at_work_.test_and_set(std::memory_order_acquire)) {
-      throw base::BadInput(
-          "This environment is at work in another thread; give each thread its own");
-    }
+Worlds::Work::Work(std::atomic_flag& at_work) : at_work_(at_work) {
+  if (at_work_.test_and_set(std::memory_order_acquire)) {
+    throw base::BadInput("This environment is at work in another thread; give each thread its own");
   }
-  ~Work() { at_work_.clear(std::memory_order_release); }
-  Work(const Work&) = delete;
-  Work& operator=(const Work&) = delete;
-
- private:
-  std::atomic_flag& at_work_;
-};
+}
 
 /// The first episode has the seed that was given; the others follow from it.
 std::uint64_t Worlds::Seeds::next() const {
@@ -170,6 +159,10 @@ const Episode& Worlds::begun_episode(std::size_t world) const {
 void Worlds::step(std::span<const float> actions, Renewal renewal) {
   const Work work(at_work_);
   for (const std::size_t world : all_) begun_episode(world);
+  if (actions.size() != size() * actions_size_) {
+    throw base::BadInput("There are " + std::to_string(actions.size()) +
+                         " numbers of actions; expected " + std::to_string(size() * actions_size_));
+  }
   float sum = 0.0f;
   for (const float action : actions) sum += action - action;  // NaN if one is not finite
   if (!(sum == 0.0f)) {
@@ -208,6 +201,7 @@ void Worlds::save(std::size_t world, const std::filesystem::path& file) {
 }
 
 Image Worlds::picture(std::size_t world, int width) const {
+  const Work work(at_work_);
   const simulation::Simulation& simulation = begun_episode(world).simulation();
   picture::TopView view = recording::view_of(simulation, nullptr, [](const std::string&) {});
   view.bare = true;

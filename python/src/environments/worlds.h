@@ -50,8 +50,8 @@ class Worlds {
   /// Begins episodes: of the worlds in `chosen`, with these seeds, or else the next of each world.
   void begin(const std::vector<std::size_t>& chosen, std::span<const std::uint64_t> seeds);
   /// Makes a step of each world. `actions`: a row of actions_size() numbers for each. Throws
-  /// base::BadInput for a number that is not finite, and before anything is done. The fault of the
-  /// first world counts; its sentence names the world if there are several.
+  /// base::BadInput for another size or a number that is not finite, before anything is done. The
+  /// fault of the first world counts; its sentence names the world if there are several.
   void step(std::span<const float> actions, Renewal renewal);
 
   // After begin() and step(), a row or a number for each world.
@@ -65,10 +65,18 @@ class Worlds {
   /// Whether an episode began in this step.
   const std::vector<char>& begun() const { return begun_; }
 
-  /// Throws base::BadInput before its first begin().
-  const Episode& begun_episode(std::size_t world) const;
+  /// Calls `look` with an episode, between two steps. Throws base::BadInput before its first
+  /// begin(), and while another thread is at work.
+  template <class Look>
+  auto look_at(std::size_t world, const Look& look) const {
+    const Work work(at_work_);
+    return look(begun_episode(world));
+  }
   /// How the last episode ended, in words of results.
-  const std::string& outcome(std::size_t world) const { return outcomes_[world]; }
+  std::string outcome(std::size_t world) const {
+    const Work work(at_work_);
+    return outcomes_[world];
+  }
   void save(std::size_t world, const std::filesystem::path& file);
   /// The world from above, north at its top.
   Image picture(std::size_t world, int width) const;
@@ -79,8 +87,20 @@ class Worlds {
     std::uint64_t episode = 0;
     std::uint64_t next() const;
   };
-  class Work;
 
+  /// One thread at a time: the others get base::BadInput.
+  class Work {
+   public:
+    explicit Work(std::atomic_flag& at_work);
+    ~Work() { at_work_.clear(std::memory_order_release); }
+    Work(const Work&) = delete;
+    Work& operator=(const Work&) = delete;
+
+   private:
+    std::atomic_flag& at_work_;
+  };
+
+  const Episode& begun_episode(std::size_t world) const;
   template <class What>
   void each(const std::vector<std::size_t>& chosen, const What& what);
   void begin(std::size_t world);
@@ -99,7 +119,7 @@ class Worlds {
   base::ThreadPool pool_;
   std::vector<std::size_t> all_;
   std::vector<std::exception_ptr> failures_;
-  std::atomic_flag at_work_;
+  mutable std::atomic_flag at_work_;
 };
 
 }  // namespace elsie::python
