@@ -11,6 +11,7 @@
 
 #include "elsie/base/error.h"
 #include "elsie/base/near_name.h"
+#include "elsie/base/words.h"
 
 #include "kinds.h"
 #include "world_view.h"
@@ -59,6 +60,11 @@ class ScriptedMeasure : public ScriptedPlugin<Measure> {
   void report(const RunEnd& end, std::span<std::optional<double>> values) const override {
     const std::vector<Quantity> known = quantities();
     run(report_, [&] {
+      if (known.size() != values.size()) {
+        throw base::Error("quantities names " + base::counted(known.size(), "value") +
+                          " now, and named " + std::to_string(values.size()) +
+                          " before the run; expected the same ones at all times");
+      }
       const py::object told =
           py::module_::import("elsie.plugins").attr("End")(to_string(end.outcome), end.time_s);
       for (const auto& [key, value] : report_(told).cast<py::dict>()) {

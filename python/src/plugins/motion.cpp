@@ -200,12 +200,18 @@ void bind_motion(py::module_& module) {
       .def_readwrite("forward", &Motion::forward, "m/s, along the heading")
       .def_readwrite("lateral", &Motion::lateral, "m/s, to the left")
       .def_readwrite("turn", &Motion::turn, "rad/s, counter-clockwise")
-      .def("__add__", [](const Motion& a, const Motion& b) { return a + b; })
-      .def("__sub__", [](const Motion& a, const Motion& b) { return a - b; })
-      .def("__mul__", [](const Motion& a, double s) { return s * a; })
-      .def("__rmul__", [](const Motion& a, double s) { return s * a; })
-      .def("__truediv__", [](const Motion& a, double s) { return a / s; })
-      .def("__eq__", [](const Motion& a, const Motion& b) { return a == b; })
+      .def(
+          "__add__", [](const Motion& a, const Motion& b) { return a + b; }, py::is_operator())
+      .def(
+          "__sub__", [](const Motion& a, const Motion& b) { return a - b; }, py::is_operator())
+      .def(
+          "__mul__", [](const Motion& a, double s) { return s * a; }, py::is_operator())
+      .def(
+          "__rmul__", [](const Motion& a, double s) { return s * a; }, py::is_operator())
+      .def(
+          "__truediv__", [](const Motion& a, double s) { return a / s; }, py::is_operator())
+      .def(
+          "__eq__", [](const Motion& a, const Motion& b) { return a == b; }, py::is_operator())
       .def("__repr__", text_of);
   motion_type = reinterpret_cast<PyTypeObject*>(motion.ptr());
   py::class_<Pose>(module, "Pose", "A place in m and a heading, counter-clockwise from east.")

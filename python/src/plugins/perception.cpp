@@ -15,14 +15,14 @@ Now::Now()
 py::object Now::readings() {
   const auto groups = perception().all_readings();
   bool fits = readings_ && groups.size() == made_.size();
-  for (std::size_t i = 0; fits && i < groups.size(); ++i) fits = made_[i]->fits(groups[i]);
+  for (std::size_t i = 0; fits && i < groups.size(); ++i) fits = made_[i].arrays->fits(groups[i]);
   if (!fits) {
     readings_ = py::module_::import("elsie.plugins").attr("_Readings")();
     made_.clear();
     for (std::size_t i = 0; i < groups.size(); ++i) {
       py::object arrays = py::cast(ReadingArrays(perception_, i, ""));
-      made_.push_back(arrays.cast<ReadingArrays*>());
       readings_[py::str(groups[i].kind.name)] = arrays;
+      made_.push_back({arrays, arrays.cast<ReadingArrays*>()});
     }
   }
   return readings_;

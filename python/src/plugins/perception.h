@@ -41,8 +41,12 @@ class Now {
  private:
   LentPerception perception_;
   LentRandom random_;
-  py::object readings_;
-  std::vector<ReadingArrays*> made_;  // those of readings_, in the order of the groups
+  py::object readings_;  // the dict, which the script may change
+  struct Made {
+    py::object object;
+    ReadingArrays* arrays;
+  };
+  std::vector<Made> made_;  // in the order of the groups
 };
 
 void bind_perception(py::module_& module);

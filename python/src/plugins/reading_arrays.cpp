@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -112,7 +113,7 @@ PyObject* attribute_of_readings(PyObject* self, PyObject* name) {
 
 ReadingArrays::ReadingArrays(LentPerception perception, std::size_t place, std::string list)
     : perception_(std::move(perception)), place_(place), list_(std::move(list)) {
-  const ReadingGroup& group = this->group();
+  const ReadingGroup& group = (**perception_).all_readings()[place_];
   kind_ = group.kind.name;
   declaration_ = group.declaration;
   sensors_ = group.readings.size();
@@ -154,6 +155,16 @@ bool ReadingArrays::fits(const ReadingGroup& group) const {
          group.readings.size() == sensors_;
 }
 
+const ReadingGroup& ReadingArrays::group() const {
+  const auto groups = (**perception_).all_readings();
+  if (place_ >= groups.size() || !fits(groups[place_])) {
+    throw std::runtime_error(
+        "the robot has other sensors than when these readings were taken; take them from "
+        "`now.readings` again");
+  }
+  return groups[place_];
+}
+
 py::list ReadingArrays::names() const {
   py::list names;
   for (const Field& field : fields_) names.append(py::str(field.declared.name));
@@ -171,7 +182,6 @@ PyObject* ReadingArrays::find(PyObject* name) {
   if (found == fields_.end()) return nullptr;
   const Lent<const Perception>& lent = *perception_;
   if (!lent.is_valid() || found->call != lent.call) {
-    *lent;  // throws when it is over
     fill(*found);
     found->call = lent.call;
   }

@@ -47,7 +47,8 @@ class ReadingArrays {
 
   void add(const char* name, Field::Source source);
   void add(const FieldDeclaration& declared, Field::Source source);
-  const ReadingGroup& group() const { return (**perception_).all_readings()[place_]; }
+  /// Throws std::runtime_error when the call is over, or the robot has other sensors by now.
+  const ReadingGroup& group() const;
   void fill(Field& field);
   void fill_stored(Field& field, std::span<const SensedReading> readings);
   py::object visited(const Field& field, const ReadingGroup& group) const;

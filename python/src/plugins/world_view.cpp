@@ -1,6 +1,7 @@
 #include "world_view.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 
 #include <pybind11/numpy.h>
@@ -16,7 +17,13 @@ struct RobotView {
   LentTo<const Observation> observation;
   std::size_t index;
 
-  const ObservedRobot& operator*() const { return (*observation)->robots[index]; }
+  const ObservedRobot& operator*() const {
+    const auto& robots = (*observation)->robots;
+    if (index >= robots.size()) {
+      throw std::runtime_error("this robot is gone; take robots from `now` in each call");
+    }
+    return robots[index];
+  }
 };
 
 template <class Get>
