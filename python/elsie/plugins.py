@@ -20,6 +20,7 @@ from __future__ import annotations
 
 import ast
 import math
+import os
 import re
 import sys
 import types
@@ -55,6 +56,9 @@ class Struct(NamedTuple):
     fields: tuple[Field, ...]
 
 
+_MOST_NUMBERS = 1_000_000
+
+
 class _Array(NamedTuple):
     size: int
     unit: str
@@ -62,6 +66,8 @@ class _Array(NamedTuple):
 
 def array(size: int, unit: str = "") -> _Array:
     """As many numbers, in a reading, command or message: cells=elsie.array(8, unit="K")."""
+    if isinstance(size, bool) or not isinstance(size, int) or not 0 < size <= _MOST_NUMBERS:
+        raise InputError(f"array(): the size is {size!r}; expected a whole number from 1 to {_MOST_NUMBERS}")
     return _Array(size, unit)
 
 
@@ -451,6 +457,8 @@ def _refuse_shared_random(tree: ast.Module, file: Path) -> None:
                     modules[(alias.asname or "numpy") + ".random"] = _ALLOWED_OF_NUMPY
                 elif alias.name == "numpy.random" and alias.asname:
                     modules[alias.asname] = _ALLOWED_OF_NUMPY
+        elif isinstance(node, ast.ImportFrom) and node.module == "numpy":
+            modules.update({alias.asname or alias.name: _ALLOWED_OF_NUMPY for alias in node.names if alias.name == "random"})
         elif isinstance(node, ast.ImportFrom) and node.module in ("random", "numpy.random"):
             allowed = _ALLOWED_OF_RANDOM if node.module == "random" else _ALLOWED_OF_NUMPY
             for alias in node.names:
@@ -463,7 +471,8 @@ def _refuse_shared_random(tree: ast.Module, file: Path) -> None:
             if allowed_here is not None and node.attr not in allowed_here:
                 refuse(node, ast.unparse(node) + "()")
     for node in ast.walk(tree):
-        if isinstance(node, ast.Call) and not node.args and not node.keywords:
+        if isinstance(node, ast.Call) and all(isinstance(seed, ast.Constant) and seed.value is None
+                                              for seed in [*node.args, *(word.value for word in node.keywords)]):
             called = node.func
             if (isinstance(called, ast.Attribute) and ast.unparse(called.value) in modules or
                     isinstance(called, ast.Name) and called.id in made):
@@ -505,11 +514,19 @@ def _fault(error: BaseException, path: str, function: Optional[str] = None) -> s
         if trace.tb_frame.f_code.co_filename == path:
             line = trace.tb_lineno
         trace = trace.tb_next
-    text = str(error.msg) if isinstance(error, SyntaxError) else str(error)
+    try:
+        text = str(error.msg) if isinstance(error, SyntaxError) else str(error)
+    except Exception:  # noqa: BLE001: the script's own class of exceptions
+        text = "its text cannot be made"
     if isinstance(error, KeyError) and error.args and isinstance(error.args[0], str):
         text = error.args[0]
     kind = "" if isinstance(error, InputError) else type(error).__name__ + (": " if text else "")
     return f"{Path(path).name}:{line}: {kind}{text}" if line else f"{Path(path).name}: {kind}{text}"
+
+
+def _has_random_hashes() -> bool:
+    """Whether sets of texts have another order in each process."""
+    return sys.flags.hash_randomization != 0 and os.environ.get("PYTHONHASHSEED", "random") in ("", "random")
 
 
 def _line_of(function: Any) -> int:

@@ -419,7 +419,11 @@ class Faulty(elsie.Behavior):
         (STAND + "    size = elsie.parameter(1.0, max=0)\n", "the default of size is 1"),
         ("import random\n" + STAND + "    def reset(self, stream):\n        self.x = random.random()\n", "mine.py:10: random.random() gives"),
         ("import numpy as np\n" + STAND + "    x = np.random.uniform()\n", "mine.py:9: np.random.uniform()"),
-        ("from numpy.random import default_rng\n" + STAND + "    x = default_rng()\n", "mine.py:9: default_rng() without a seed")])
+        ("from numpy import random\n" + STAND + "    x = random.uniform()\n", "mine.py:9: random.uniform()"),
+        ("from numpy.random import default_rng\n" + STAND + "    x = default_rng()\n", "mine.py:9: default_rng() without a seed"),
+        ("from numpy.random import default_rng\n" + STAND + "    x = default_rng(None)\n", "mine.py:9: default_rng() without a seed"),
+        ("KIND = elsie.reading('own', cells=elsie.array(0))\n" + STAND, "mine.py:3: array(): the size is 0; expected a whole number"),
+        (STAND + "    size = elsie.parameter(1.0, min='a')\n", "mine.py: a declaration has a value of another type")])
     def test_a_script_with_a_mistake_is_refused_with_its_line(self, place, script, what):
         assert what in refused(place, script)
 

@@ -26,23 +26,6 @@ ParameterType type_of(const std::string& name) {
   return types.at(name);
 }
 
-ParameterValue value_of(ParameterType type, const py::object& value) {
-  switch (type) {
-    case ParameterType::real:
-      return value.cast<double>();
-    case ParameterType::integer:
-      return value.cast<std::int64_t>();
-    case ParameterType::boolean:
-      return value.cast<bool>();
-    case ParameterType::text:
-    case ParameterType::file:
-      return value.cast<std::string>();
-    case ParameterType::reals:
-      return value.cast<std::vector<double>>();
-  }
-  return 0.0;
-}
-
 Scripted& scripted(Component& object) { return dynamic_cast<Scripted&>(object); }
 const Scripted& scripted(const Component& object) { return dynamic_cast<const Scripted&>(object); }
 
@@ -172,9 +155,11 @@ void load(const std::filesystem::path& file, plugin::Script& script) {
   } catch (py::error_already_set& error) {
     script.declarations.clear();
     throw_fault(error, path);
-  } catch (const py::cast_error& error) {
+  } catch (const py::cast_error&) {
     script.declarations.clear();
-    throw std::runtime_error(error.what());
+    throw std::runtime_error(file.filename().string() +
+                             ": a declaration has a value of another type than expected; see "
+                             "help(elsie.parameter), help(elsie.published) and help(elsie.Plugin)");
   }
 }
 

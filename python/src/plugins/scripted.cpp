@@ -27,17 +27,28 @@ thread_local std::exception_ptr passing;
 /// The object that notes that the order of hashes is random, so that it is said once.
 std::atomic<const Scripted*> the_one_that_notes = nullptr;
 
-bool has_random_hashes() {
-  static const bool is_random =
-      py::module_::import("sys").attr("flags").attr("hash_randomization").cast<int>() != 0 &&
-      py::module_::import("os")
-              .attr("environ")
-              .attr("get")("PYTHONHASHSEED", "")
-              .cast<std::string>() == "";
-  return is_random;
-}
+bool has_random_hashes() { return helper("_has_random_hashes")().cast<bool>(); }
+
+std::string text_of(py::handle value) { return py::repr(value).cast<std::string>(); }
 
 }  // namespace
+
+ParameterValue value_of(ParameterType type, const py::object& value) {
+  switch (type) {
+    case ParameterType::real:
+      return value.cast<double>();
+    case ParameterType::integer:
+      return value.cast<std::int64_t>();
+    case ParameterType::boolean:
+      return value.cast<bool>();
+    case ParameterType::text:
+    case ParameterType::file:
+      return value.cast<std::string>();
+    case ParameterType::reals:
+      return value.cast<std::vector<double>>();
+  }
+  return 0.0;
+}
 
 void keep_passing() { passing = std::current_exception(); }
 
@@ -96,20 +107,12 @@ void Scripted::set(const char* name, const ParameterValue& value) {
 ParameterValue Scripted::get(const char* name, ParameterType type) const {
   return run({}, [&]() -> ParameterValue {
     const py::object value = self_.attr(name);
-    switch (type) {
-      case ParameterType::real:
-        return value.cast<double>();
-      case ParameterType::integer:
-        return value.cast<std::int64_t>();
-      case ParameterType::boolean:
-        return value.cast<bool>();
-      case ParameterType::text:
-      case ParameterType::file:
-        return value.cast<std::string>();
-      case ParameterType::reals:
-        return value.cast<std::vector<double>>();
+    try {
+      return value_of(type, value);
+    } catch (const py::cast_error&) {
+      throw base::Error(std::string("the parameter '") + name + "' has become " + text_of(value) +
+                        "; expected a value of the type of its default");
     }
-    return 0.0;
   });
 }
 
@@ -118,7 +121,11 @@ double Scripted::number(const char* name) const {
     const py::object value = self_.attr(name);
     if (value.is_none()) return std::nan("");
     const double number = PyFloat_AsDouble(value.ptr());
-    if (number == -1.0 && PyErr_Occurred()) throw py::error_already_set();
+    if (number == -1.0 && PyErr_Occurred()) {
+      PyErr_Clear();
+      throw base::Error(std::string("the published number '") + name + "' is " + text_of(value) +
+                        "; expected a number, or NaN for none");
+    }
     return number;
   });
 }
@@ -198,8 +205,7 @@ void Scripted::remember_by(Memory& memory) {
       } else if (PyList_Check(known.ptr())) {
         hand_over(known.cast<std::vector<double>>());
       } else if (!known.is_none()) {
-        throw base::Error("remembers names '" + name + "', which is " +
-                          py::repr(known).cast<std::string>() +
+        throw base::Error("remembers names '" + name + "', which is " + text_of(known) +
                           "; only a bool, int, float, str, or a list or row of numbers can be "
                           "remembered");
       }

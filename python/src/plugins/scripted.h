@@ -29,6 +29,9 @@ struct ScriptClass {
 };
 using ScriptClassRef = std::shared_ptr<const ScriptClass>;
 
+/// The value of a parameter. Throws py::cast_error for one of another type.
+ParameterValue value_of(ParameterType type, const py::object& value);
+
 /// Call it in a catch block: what is handled goes through the script, and on as it is, if it is a
 /// fault of another plugin that the script has asked.
 void keep_passing();
@@ -64,6 +67,11 @@ class Scripted {
       return action();
     } catch (py::error_already_set& error) {
       throw_fault(error, of_->file);
+    } catch (const py::cast_error&) {
+      throw_misuse(
+          "it gives a value of another type than expected; help(elsie.Behavior), and that of the "
+          "other kinds, says what each method answers",
+          method, of_->file);
     } catch (const std::exception& error) {
       throw_misuse(error.what(), method, of_->file);
     }
