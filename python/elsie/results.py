@@ -20,7 +20,7 @@ class Event(NamedTuple):
 
 
 class Note(NamedTuple):
-    """A sentence for the user about a run, from a plugin, or from the simulator ("physics", "changes", "python")."""
+    """A sentence for the user about a run, from a plugin, or from the simulator ("physics", "changes", "recording", "python")."""
 
     robot: str
     plugin: str

@@ -235,17 +235,17 @@ class Simulation(_elsie.Simulation, Paths):
     @property
     def notes(self) -> list[Note]:
         """What plugins and the simulator have to say so far."""
-        return [Note(*each) for each in self._all_notes()] + self._more_notes
+        return [Note(*each) for each in self._all_notes()] + self._notes_here()
 
     def result(self) -> Result:
         """The result so far; once the run has ended, its result, with the trace. A fault is the outcome "fault"."""
         if self._ended is not None:
             return self._ended
         if self._fault is not None:
-            return result_of({**self._result_fields(), "outcome": "fault", "reason": str(self._fault)}, self._more_notes, self._account())
+            return result_of({**self._result_fields(), "outcome": "fault", "reason": str(self._fault)}, self._notes_here(), self._account())
         if self.outcome != "running":
             return self._end()
-        return result_of(self._result_fields(), self._more_notes, None)
+        return result_of(self._result_fields(), self._notes_here(), None)
 
     # Pictures
 
@@ -298,8 +298,12 @@ class Simulation(_elsie.Simulation, Paths):
             self._is_observed = False
 
     def _end(self) -> Result:
-        self._ended = result_of(self._finish(), self._more_notes, self._account())
+        self._ended = result_of(self._finish(), self._notes_here(), self._account())
         return self._ended
+
+    def _notes_here(self) -> list[Note]:
+        """Of this process, and of recordings."""
+        return self._more_notes + [Note("", "recording", each) for each in self._recorders_said()]
 
     def _refuse_in_observer(self, what: str) -> None:
         if self._is_observed:

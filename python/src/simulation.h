@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <map>
 #include <memory>
 #include <optional>
@@ -69,10 +70,13 @@ class Simulation : public Made {
   /// Who decided, of a run that has ended or failed; null without SimulationOptions::trace, or
   /// before the end.
   std::shared_ptr<const traces::AccountRecorder> account() const {
-    return is_closed_ || has_failed_ ? account_ : nullptr;
+    return is_closed_ || failure_ ? account_ : nullptr;
   }
   /// What recorders had to say.
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<std::string>& warnings() const {
+    require_idle();
+    return warnings_;
+  }
   const traces::TrackRecorder* tracks() const { return tracks_.get(); }
 
  private:
@@ -91,13 +95,13 @@ class Simulation : public Made {
   std::shared_ptr<traces::AccountRecorder> account_;
   std::unique_ptr<traces::TrackRecorder> tracks_;
   std::unique_ptr<Watcher> watcher_;
+  std::vector<std::string> warnings_;  // recorders may add some until they are destroyed
   std::vector<std::unique_ptr<simulation::Observer>> recorders_;
   std::unique_ptr<simulation::Run> run_;
   std::map<std::pair<MakeTable, std::string>, Table> tables_;
   bool is_stepping_ = false;
   bool is_closed_ = false;
-  bool has_failed_ = false;
-  std::vector<std::string> warnings_;
+  std::exception_ptr failure_;  // that ended the run, or kept it from beginning
 };
 
 }  // namespace elsie::python

@@ -67,6 +67,7 @@ void Simulation::require_idle() const {
 
 void Simulation::begin() {
   if (run_) return;
+  if (failure_) std::rethrow_exception(failure_);
   std::vector<simulation::Observer*> observers{watcher_.get()};
   if (options_.trace) {
     account_ = std::make_shared<traces::AccountRecorder>();
@@ -82,7 +83,7 @@ void Simulation::begin() {
 
 std::uint64_t Simulation::advance(std::uint64_t steps, double until_s) {
   require_idle();
-  if (is_closed_ && !has_failed_ && simulation_->outcome() == simulation::Outcome::running) {
+  if (is_closed_ && !failure_ && simulation_->outcome() == simulation::Outcome::running) {
     throw base::Error("this run was closed before its end; reset() starts it again");
   }
   std::uint64_t made = 0;
@@ -96,11 +97,11 @@ std::uint64_t Simulation::advance(std::uint64_t steps, double until_s) {
       };
       const Stepping stepping(is_stepping_);
       const py::gil_scoped_release released;
-      begin();
       try {
+        begin();
         more = steps_until(steps - made, until_s);
       } catch (...) {
-        has_failed_ = true;
+        failure_ = std::current_exception();
         throw;
       }
     }
@@ -140,7 +141,8 @@ simulation::RunResult Simulation::end() {
 void Simulation::reset(std::optional<std::uint64_t> seed) {
   require_idle();
   run_.reset();
-  is_closed_ = has_failed_ = false;
+  is_closed_ = false;
+  failure_ = nullptr;
   warnings_.clear();
   account_.reset();
   tracks_.reset();
@@ -265,6 +267,7 @@ void bind_simulations(py::module_& module) {
              return recorder ? made<Account>(std::move(recorder)) : nullptr;
            })
       .def("_record_to", &Simulation::record)
+      .def("_recorders_said", &Simulation::warnings)
       .def("_of_robots", [](Simulation& self,
                             const std::string& name) { return self.table(&table_of_robots, name); })
       .def("_of_obstacles", [](Simulation& self) { return self.table(&table_of_obstacles, ""); })
