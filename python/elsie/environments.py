@@ -103,10 +103,10 @@ def _whole(name: str, value: int) -> int:
 
 def _robots_of(world: _elsie.World, robots: Union[None, str, Sequence[str]], is_one: bool) -> list[str]:
     known = list(world.robots)
-    if isinstance(robots, str) and robots != "all":
-        robots = [robots]
-    if robots == "all":
+    if robots == "all" and not is_one:
         return known
+    if isinstance(robots, str):
+        robots = [robots]
     if robots is None:
         if len(known) != 1:
             raise InputError(f"The world has {len(known)} robots: {', '.join(known[:10])}{', ...' if len(known) > 10 else ''}; "
@@ -240,7 +240,7 @@ class Env(Base, _GymEnv):
         self.action_space = setup.stacked("action")
         numbers = (len(setup.action_names[0]),)
         setup.worlds.set_shapes(numbers if setup.is_one else (len(setup.robots), *numbers), self.observation_space.shape)
-        self._step = setup.worlds.step_alone
+        self._step: Any = setup.worlds.step_alone
         self._plain = setup.reward is None and not setup.is_choice
         self._before: Any = None
 
@@ -282,6 +282,11 @@ class Env(Base, _GymEnv):
     def _ending(self) -> dict[str, Any]:
         worlds = self._open.worlds
         return {"outcome": worlds.outcome(0), "time_s": worlds.time_s(0)}
+
+    def close(self) -> None:
+        """Gives the world up. May be called twice."""
+        super().close()
+        self._step = None
 
     def robot_rewards(self) -> dict[str, float]:
         """The rewards of the last step by robot."""

@@ -77,7 +77,10 @@ class ParallelEnv(Base, _ParallelEnv):
 
     def reset(self, seed: Optional[int] = None, options: Optional[dict[str, Any]] = None) -> tuple[dict[str, Floats], dict[str, Any]]:
         """Begins an episode with all agents: with this seed, or with the next one that follows from it. The first seed is 1."""
-        self._open.worlds.begin([0], [] if seed is None else [checked_seed(seed)])
+        worlds = self._open.worlds
+        if seed is not None:
+            self._seed(checked_seed(seed))
+        worlds.begin([0], [] if seed is None else [seed])
         self.agents = list(self.possible_agents)
         self._before = self._observed()
         return dict(self._before), {agent: {} for agent in self.agents}
@@ -117,6 +120,11 @@ class ParallelEnv(Base, _ParallelEnv):
                 info["outcome"] = worlds.outcome(0)
         self.agents = [agent for agent in self.agents if not (terminations[agent] or truncations[agent])]
         return observations, rewards, terminations, truncations, infos
+
+    def close(self) -> None:
+        """Gives the world up. May be called twice."""
+        super().close()
+        self._row = np.zeros(0, np.float32)
 
     def state(self) -> Floats:
         """What all robots observe, one after the other."""

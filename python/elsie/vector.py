@@ -57,8 +57,8 @@ def _batched(space: Any, count: int) -> Any:
 class VectorEnv(Base, _GymVectorEnv):
     """`num_envs` worlds: a Gymnasium vector environment if Gymnasium is installed, with the same interface if not.
 
-    The other arguments are those of `Env`. threads: None: as many as the machine has processors. copy: False: observations are views
-    of memory that the next step changes.
+    The other arguments are those of `Env`. threads: None: one for each processor. copy: False: observations are views of memory that
+    the next step changes.
     """
 
     spec: Any = None
@@ -74,8 +74,8 @@ class VectorEnv(Base, _GymVectorEnv):
             self.autoreset_mode = AutoresetMode(autoreset_mode)
         except ValueError:
             raise InputError(f"autoreset_mode={autoreset_mode!r}: expected \"NextStep\", \"SameStep\" or \"Disabled\"") from None
-        setup = Setup(world, num_envs, threads or os.cpu_count() or 1, robot if robots is None else robots, robots is None, observe,
-                      act, reward, steps, duration)
+        setup = Setup(world, num_envs, len(os.sched_getaffinity(0)) if threads is None else threads,
+                      robot if robots is None else robots, robots is None, observe, act, reward, steps, duration)
         self._begin(setup, render_mode)
         self.metadata["autoreset_mode"] = self.autoreset_mode
         self._renewal = _RENEWALS[str(self.autoreset_mode.value)]
@@ -193,6 +193,8 @@ class VectorEnv(Base, _GymVectorEnv):
         """Gives the worlds up. May be called twice."""
         super().close()
         self._observations = self._last = np.zeros(0, np.float32)
+        self._rewards = self._before = None
+        self._terminated = self._truncated = self._begun = np.zeros(0, np.bool_)
 
     def time_s(self) -> NDArray[np.float64]:
         """Simulated, of the present episodes."""
