@@ -113,4 +113,6 @@ ELSIE_BEHAVIOR(
         {.meaning = "the numbers of actuators' commands that `values` sets: words such "
                     "as `gripper.closed`, an actuator's id and what its command lists"}),
     elsie::parameter("values", &Commanded::values,
-                     {.meaning = "their values, in this order; none: it gives no commands"}));
+                     {.min = -1e12,
+                      .max = 1e12,
+                      .meaning = "their values, in this order; none: it gives no commands"}));
