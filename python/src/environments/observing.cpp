@@ -213,7 +213,7 @@ bool Observing::add_readings(const simulation::Simulation& simulation, const plu
     if (moves) {
       visited_.push_back(std::move(visited));
     } else {
-      stored_.insert(stored_.end(), stored.begin(), stored.end());
+      for (const Stored& each : stored) keep(each);
     }
   }
   return numbers_.size() > before;
@@ -231,7 +231,7 @@ bool Observing::add_own(const simulation::Simulation& simulation, const Named& n
     if (named.name != group && named.name != name) return;
     const FieldType type =
         std::is_same_v<std::decay_t<decltype(at)>, bool> ? FieldType::boolean : FieldType::real64;
-    stored_.push_back({add({name, low, high}, named), &at, type});
+    keep({add({name, low, high}, named), &at, type});
   };
   offer("pose", "x", state.pose.x, -0.5 * arena.length, 0.5 * arena.length);
   offer("pose", "y", state.pose.y, -0.5 * arena.width, 0.5 * arena.width);
@@ -301,7 +301,16 @@ void Observing::refuse(const simulation::Simulation& simulation, const Named& na
                        base::near_or_all(named.name, known, "it has"));
 }
 
+void Observing::keep(const Stored& stored) {
+  if (stored.type == FieldType::real64) {
+    reals_.push_back({stored.place, static_cast<const double*>(stored.at)});
+  } else {
+    stored_.push_back(stored);
+  }
+}
+
 void Observing::read(const simulation::Simulation& simulation, float* to) const {
+  for (const StoredReal& each : reals_) to[each.place] = static_cast<float>(*each.at);
   for (const Stored& each : stored_) {
     to[each.place] = static_cast<float>(number_at(each.at, each.type));
   }

@@ -40,6 +40,11 @@ class Observing {
     const void* at;
     FieldType type;
   };
+  /// The same for most of them.
+  struct StoredReal {
+    std::size_t place;
+    const double* at;
+  };
   static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
   /// A sensor whose numbers move: lists. The places of its numbers, in the order of its visit.
   struct Visited {
@@ -52,12 +57,14 @@ class Observing {
   bool add_own(const simulation::Simulation& simulation, const Named& named);
   bool add_published(const simulation::Simulation& simulation, const Named& named);
   std::size_t add(Bounded number, const Named& named);
+  void keep(const Stored& stored);
   [[noreturn]] void refuse(const simulation::Simulation& simulation, const Named& named) const;
 
   std::size_t robot_;
   std::vector<Bounded> numbers_;
   std::vector<float> low_, high_;
-  std::vector<Stored> stored_;
+  std::vector<StoredReal> reals_;
+  std::vector<Stored> stored_;  // of other types
   std::vector<Visited> visited_;
   std::vector<std::size_t> published_;        // the places of the robot's published numbers
   std::vector<std::size_t> published_there_;  // of those of measures and rules
