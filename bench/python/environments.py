@@ -6,14 +6,19 @@
 Prints tables in Markdown. Everything is measured in turn, in wall-clock time, because that is what threads save.
 """
 import os
+import re
 import subprocess
 import sys
 import time
 from pathlib import Path
 from statistics import median
 
-ARITHMETIC = "glibc.cpu.hwcaps=-AVX,-AVX2,-FMA,-FMA4"
 BUILD = Path(sys.argv[1]).resolve()
+ARITHMETIC = "glibc.cpu.hwcaps=-AVX,-AVX2,-FMA,-FMA4"  # that of `elsie run`
+if os.environ.get("GLIBC_TUNABLES") != ARITHMETIC:  # begin again with it, and with the interpreter for which the module was built
+    found = re.search(r"^_?Python3_EXECUTABLE:.*=(.+)$", (BUILD / "CMakeCache.txt").read_text(), re.MULTILINE)
+    interpreter = found[1] if found else sys.executable
+    os.execve(interpreter, [interpreter, *sys.argv], {**os.environ, "GLIBC_TUNABLES": ARITHMETIC})
 sys.path.insert(0, str(BUILD / "lib/python3/dist-packages"))
 
 import numpy as np  # noqa: E402
@@ -134,6 +139,4 @@ def main():
 
 
 if __name__ == "__main__":
-    if os.environ.get("GLIBC_TUNABLES") != ARITHMETIC:  # the arithmetic of `elsie run`
-        os.execve(sys.executable, [sys.executable, *sys.argv], {**os.environ, "GLIBC_TUNABLES": ARITHMETIC})
     main()

@@ -609,6 +609,28 @@ def test_environments_of_several_threads_do_not_disturb_each_other():
     assert len(set(results.values())) == 2
 
 
+NONSENSE = [None, -1, 0, 1, 3, 2**70, 1.5, float("nan"), "", "r1", b"x", [], [0], [0, 0], [[1.0, 2.0]], {}, {"r1": [0, 0]}, object(),
+            np.zeros(3), np.zeros((2, 2)), (2,), lambda: 0]
+METHODS = ["reset", "step", "save", "begin", "step_alone", "set_shapes", "observed", "acted", "outcome", "seed", "time_s",
+           "state_hash", "picture", "observation_space", "action_space"]
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_random_misuse_is_an_exception_never_a_crash(method, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    made = [elsie.Env(parsed()), elsie.VectorEnv(parsed(), 2, threads=2), elsie.ParallelEnv(parsed(2))]
+    for thing in made + [env._setup.worlds for env in made] + [type(made[0]._setup.worlds).__new__(type(made[0]._setup.worlds))]:
+        random = np.random.default_rng(len(method))
+        for _ in range(40):
+            arguments = [NONSENSE[i] for i in random.integers(0, len(NONSENSE), random.integers(0, 4))]
+            try:
+                getattr(thing, method)(*arguments)
+            except Exception:  # noqa: BLE001: any exception is right
+                pass
+    for env in made[:2]:
+        env.reset(seed=1)
+
+
 # Spaces of our own.
 
 def test_spaces_have_gymnasiums_attributes():

@@ -1,5 +1,6 @@
 // Binds the worlds of elsie.Env, elsie.VectorEnv and elsie.ParallelEnv.
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@
 
 #include "bindings.h"
 #include "environments/worlds.h"
+#include "made.h"
 #include "world.h"
 
 namespace elsie::python {
@@ -24,7 +26,14 @@ using Names = std::vector<std::tuple<std::string, std::optional<double>, std::op
 using Terms = std::optional<std::vector<std::pair<std::string, double>>>;
 
 /// What Python holds: the worlds, and the shapes of arrays that it gives and gets.
-struct Held {
+class Held : public Made {
+ public:
+  Held(Declared declared, MakeWorld maker, const std::shared_ptr<const plugin::Host>& host,
+       std::size_t count, std::size_t threads)
+      : worlds(std::move(declared), std::move(maker), host, count, threads),
+        shape{static_cast<py::ssize_t>(count * worlds.actions_size())},
+        observed_shape{static_cast<py::ssize_t>(worlds.observations().size())} {}
+
   Worlds worlds;
   std::vector<py::ssize_t> shape, observed_shape;
 };
@@ -60,8 +69,7 @@ std::unique_ptr<Held> make(const World& world, std::size_t count, std::size_t th
   MakeWorld maker = maker_of(world, time_limit_s);
   const auto host = world.shared_host();
   const py::gil_scoped_release released;
-  return std::unique_ptr<Held>(
-      new Held{Worlds(std::move(declared), std::move(maker), host, count, threads), {}, {}});
+  return made<Held>(std::move(declared), std::move(maker), host, count, threads);
 }
 
 std::string text_of(const py::ssize_t* shape, std::size_t size) {
@@ -154,6 +162,24 @@ std::size_t checked(const Held& held, std::size_t world) {
   return world;
 }
 
+const std::vector<Bounded>& of_robot(const std::vector<std::vector<Bounded>>& all,
+                                     std::size_t robot) {
+  if (robot < all.size()) return all[robot];
+  throw base::BadInput("There is no robot " + std::to_string(robot) + " in this environment");
+}
+
+/// A shape that holds so many numbers.
+std::vector<py::ssize_t> shape_of(const std::vector<py::ssize_t>& shape, std::size_t size) {
+  const auto product =
+      std::accumulate(shape.begin(), shape.end(), py::ssize_t{1}, std::multiplies<>());
+  if (product == static_cast<py::ssize_t>(size) &&
+      std::all_of(shape.begin(), shape.end(), [](py::ssize_t each) { return each > 0; })) {
+    return shape;
+  }
+  throw base::BadInput("An array of the shape " + text_of(shape.data(), shape.size()) +
+                       " does not hold " + base::counted(size, "number"));
+}
+
 /// Looks at the simulation of a world between two steps.
 template <class Look>
 auto look_at(const Held& held, std::size_t world, const Look& look) {
@@ -187,23 +213,30 @@ void bind_environments(py::module_& module) {
            py::arg("robots"), py::arg("observe"), py::arg("act"), py::arg("rewards"),
            py::arg("steps"), py::arg("duration"))
       .def("set_shapes",
-           [](Held& held, std::vector<py::ssize_t> actions, std::vector<py::ssize_t> observations) {
-             held.shape = std::move(actions);
-             held.observed_shape = std::move(observations);
+           [](Held& held, const std::vector<py::ssize_t>& actions,
+              const std::vector<py::ssize_t>& observations) {
+             held.observed_shape = shape_of(observations, held.worlds.observations().size());
+             held.shape = shape_of(actions, held.worlds.size() * held.worlds.actions_size());
            })
       .def("observed",
-           [](const Held& held, std::size_t robot) { return listed(held.worlds.observed(robot)); })
+           [](const Held& held, std::size_t robot) {
+             return listed(of_robot(held.worlds.declared().observed, robot));
+           })
       .def("acted",
-           [](const Held& held, std::size_t robot) { return listed(held.worlds.acted(robot)); })
+           [](const Held& held, std::size_t robot) {
+             return listed(of_robot(held.worlds.declared().acted, robot));
+           })
       .def("begin",
            [](Held& held, const std::vector<std::size_t>& chosen,
               const std::vector<std::uint64_t>& seeds) {
-             for (const std::size_t world : chosen) checked(held, world);
              const py::gil_scoped_release released;
              held.worlds.begin(chosen, seeds);
            })
       .def("step",
            [](Held& held, const py::object& given, int renewal) {
+             if (renewal < 0 || renewal > static_cast<int>(Renewal::told)) {
+               throw base::BadInput("expected 0, 1 or 2 as renewal");
+             }
              const Actions actions = actions_of(held, given);
              const py::gil_scoped_release released;
              held.worlds.step(span_of(actions), static_cast<Renewal>(renewal));

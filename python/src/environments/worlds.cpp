@@ -143,6 +143,13 @@ void Worlds::take_results(std::size_t world) {
 
 void Worlds::begin(const std::vector<std::size_t>& chosen, std::span<const std::uint64_t> seeds) {
   const Work work(at_work_);
+  std::vector<std::size_t> sorted = chosen;
+  std::sort(sorted.begin(), sorted.end());
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end() ||
+      (!sorted.empty() && sorted.back() >= size()) ||
+      (!seeds.empty() && seeds.size() != chosen.size())) {
+    throw base::BadInput("expected worlds of this environment, each once, with a seed for each");
+  }
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     seeds_[chosen[i]] = {seeds[i], kNotBegun};
   }

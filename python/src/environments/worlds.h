@@ -38,11 +38,8 @@ class Worlds {
          std::size_t count, std::size_t threads);
 
   std::size_t size() const { return episodes_.size(); }
-  /// Of one robot: the same in all worlds.
-  const std::vector<Bounded>& observed(std::size_t robot) const {
-    return declared_.observed[robot];
-  }
-  const std::vector<Bounded>& acted(std::size_t robot) const { return declared_.acted[robot]; }
+  /// With the numbers of each robot: the same in all worlds.
+  const Declared& declared() const { return declared_; }
   /// Numbers of all robots of a world.
   std::size_t observations_size() const { return observations_size_; }
   std::size_t actions_size() const { return actions_size_; }
