@@ -80,6 +80,10 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         _run("cmake", "--install", build, "--prefix", root, "--strip")
         _run("cmake", "--install", build, "--prefix", root, "--strip", "--component", "python")
         packages = root / "lib" / "python3" / "dist-packages"
+        module = f"_elsie.{sysconfig.get_config_var('SOABI')}.so"
+        if not (packages / "elsie" / module).exists():
+            sys.exit(f"elsie: {build} has no {module}, the module for Python {sysconfig.get_python_version()}; "
+                     "`make python` builds one for Debian's Python")
         shutil.copytree(packages / "elsie", Path(stage) / "elsie", dirs_exist_ok=True)
         shutil.rmtree(root / "lib" / "python3")
         info = Path(stage) / f"{name}.dist-info"

@@ -1,6 +1,7 @@
 """Many runs: as frames of pandas, here or from the databases of `elsie batch`."""
 from __future__ import annotations
 
+import contextlib
 import itertools
 import os
 import re
@@ -98,7 +99,7 @@ def program() -> str:
 
 def _call(arguments: Sequence[str], fine: Sequence[int] = (0,)) -> str:
     """What the program prints. Its complaints become an exception."""
-    done = subprocess.run([program(), *arguments], capture_output=True, text=True, check=False)
+    done = subprocess.run([program(), *arguments], capture_output=True, encoding="utf-8", errors="replace", check=False)
     if done.returncode in fine:
         return done.stdout
     raise _error(done.returncode, done.stderr)
@@ -163,7 +164,7 @@ class Results:
         """A whole table of the database, such as "run_events" or "trajectories": see docs/results-database.md."""
         import pandas
 
-        with sqlite3.connect(f"file:{Path(self.file).resolve()}?mode=ro", uri=True) as connection:
+        with self._opened() as connection:
             known = [row[0] for row in connection.execute("SELECT name FROM sqlite_master WHERE type IN ('table', 'view')")]
             if name not in known:
                 raise InputError(f"{self.file}: there is no table '{name}'; there are: {', '.join(sorted(known))}")
@@ -175,13 +176,16 @@ class Results:
         Its world is that of the database. Data files are those on disk now; `elsie replay` restores them, and checks that
         the run is the same.
         """
-        with sqlite3.connect(f"file:{Path(self.file).resolve()}?mode=ro", uri=True) as connection:
+        with self._opened() as connection:
             row = connection.execute("SELECT run_worlds.world_text, world_file, seed FROM run_worlds JOIN runs ON runs.id = run_id "
                                      "JOIN cells ON cells.id = cell_id WHERE run_id = ?", (run,)).fetchone()
         if row is None:
             raise InputError(f"{self.file}: there is no run {run}")
         text, file, seed = row
         return Simulation(World.parse(text, file=file), seed % 2**64)
+
+    def _opened(self) -> contextlib.closing[sqlite3.Connection]:
+        return contextlib.closing(sqlite3.connect(f"{Path(self.file).resolve().as_uri()}?mode=ro", uri=True))
 
     def __repr__(self) -> str:
         return f"<elsie.Results {self.file!r}>"
