@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from elsie import _elsie
 from elsie.errors import InputError
-from elsie.simulations import note_of_bits
+from elsie.simulations import MOST_THREADS, note_of_bits
 from elsie.spaces import Box, Discrete, MultiDiscrete
 
 Named = Union[str, tuple[str, float, float]]
@@ -52,7 +52,7 @@ class Setup:
             raise InputError(f"duration={duration}: expected a time above 0 s")
         self.is_choice = act == "choice"
         self.reward = reward if callable(reward) else None
-        self.worlds = _elsie.Worlds(self.world, _whole("num_envs", count), _whole("threads", threads), self.robots,
+        self.worlds = _elsie.Worlds(self.world, _whole("num_envs", count), _whole("threads", threads, MOST_THREADS), self.robots,
                                     _names("observe", observe), _names("act", "priorities" if self.is_choice else act),
                                     None if callable(reward) else _terms(reward), self.steps, duration)
         observed = [self.worlds.observed(i) for i in range(len(self.robots))]
@@ -95,9 +95,9 @@ class Setup:
         return {"render_modes": ["rgb_array"], "render_fps": fps, "name": self.world.name or "elsie"}
 
 
-def _whole(name: str, value: int) -> int:
-    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 1:
-        raise InputError(f"{name}={value!r}: expected a whole number, at least 1")
+def _whole(name: str, value: int, most: int = 10**9) -> int:
+    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not 1 <= value <= most:
+        raise InputError(f"{name}={value!r}: expected a whole number from 1 to {most}")
     return int(value)
 
 

@@ -16,6 +16,7 @@ from elsie.errors import EditRefused, Error, InputError, PhysicsFault, PluginFau
 from elsie.results import Event, Note, Result, result_of
 from elsie.worlds import File, Paths, Value, World
 
+MOST_THREADS = 256  # as of `elsie run --threads`
 _MOST_WATCHED = 100
 _OTHER_BITS = ("This process was not started with the settings that give the same bits on every processor, as `elsie` starts itself: "
                "start scripts with `elsie python script.py`. Runs repeat on this machine.")
@@ -92,8 +93,8 @@ class Simulation(_elsie.Simulation, Paths):
         """
         read = world if isinstance(world, _elsie.World) else World(world)
         _require_seed(seed)
-        if threads < 1:
-            raise InputError(f"threads: expected a whole number of at least 1, not {threads}")
+        if not 1 <= threads <= MOST_THREADS:
+            raise InputError(f"threads: expected a whole number from 1 to {MOST_THREADS}, not {threads}")
         if time_limit is not None and not 0 < time_limit < math.inf:
             raise InputError(f"time_limit: expected a number of seconds above 0, not {time_limit}")
         is_watched = len(read.robots) <= _MOST_WATCHED if watch is None else watch

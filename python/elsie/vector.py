@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from elsie.environments import Base, Floats, Named, Reward, Setup, WorldLike, checked_seed, save
 from elsie.errors import InputError
+from elsie.simulations import MOST_THREADS
 from elsie.spaces import Box, Discrete, MultiDiscrete
 
 
@@ -74,7 +75,7 @@ class VectorEnv(Base, _GymVectorEnv):
             self.autoreset_mode = AutoresetMode(autoreset_mode)
         except ValueError:
             raise InputError(f"autoreset_mode={autoreset_mode!r}: expected \"NextStep\", \"SameStep\" or \"Disabled\"") from None
-        setup = Setup(world, num_envs, len(os.sched_getaffinity(0)) if threads is None else threads,
+        setup = Setup(world, num_envs, min(len(os.sched_getaffinity(0)), MOST_THREADS) if threads is None else threads,
                       robot if robots is None else robots, robots is None, observe, act, reward, steps, duration)
         self._begin(setup, render_mode)
         self.metadata["autoreset_mode"] = self.autoreset_mode

@@ -1,5 +1,6 @@
 // Errors of Elsie as exceptions of Python.
 #include <exception>
+#include <stdexcept>
 #include <string>
 
 #include "elsie/base/error.h"
@@ -71,6 +72,8 @@ void bind_errors(py::module_&) {
       translate(error);
     } catch (const simulation::EditRefused& error) {
       raise(made("EditRefused", error.what(), base::kBadInput));
+    } catch (const std::invalid_argument& error) {
+      raise(made("InputError", error.what(), base::kBadInput));
     }
   });
 }

@@ -43,9 +43,6 @@ class Simulation::Watcher final : public simulation::Observer {
 
 Simulation::Simulation(const World& world, const SimulationOptions& options)
     : host_(world.shared_host()), options_(options), watcher_(std::make_unique<Watcher>()) {
-  if (options.threads < 1) {
-    throw base::BadInput("threads: expected a whole number of at least 1, not 0");
-  }
   world::World described = world.description(options.seed, options.time_limit_s, options.edits);
   if (described.drawn && described.drawn->by_run) {
     drawn_ = made<World>(world.text(), world.file(), host_);

@@ -515,7 +515,8 @@ def test_wrong_arguments(arguments, sentence):
 
 
 def test_wrong_arguments_of_a_vector():
-    for arguments in (dict(num_envs=0), dict(num_envs=2, threads=-1), dict(num_envs=2, autoreset_mode="Never")):
+    for arguments in (dict(num_envs=0), dict(num_envs=2, threads=-1), dict(num_envs=2, threads=0), dict(num_envs=2, threads=10**6),
+                      dict(num_envs=2, autoreset_mode="Never")):
         with pytest.raises(elsie.InputError):
             elsie.VectorEnv(parsed(), **arguments)
     envs = elsie.VectorEnv(parsed(), 2)

@@ -84,8 +84,9 @@ def test_a_simulation_is_not_copied_but_a_world_is():
 def test_a_simulation_needs_a_world():
     with pytest.raises(TypeError):
         elsie.Simulation()
-    with pytest.raises(elsie.InputError, match="threads"):
-        elsie.Simulation(elsie.World.parse(ARENA), threads=0)
+    for threads in (0, 10**6):
+        with pytest.raises(elsie.InputError, match="threads"):
+            elsie.Simulation(elsie.World.parse(ARENA), threads=threads)
     with pytest.raises(elsie.InputError, match="seed"):
         elsie.Simulation(elsie.World.parse(ARENA), seed=-1)
     with pytest.raises(elsie.InputError, match="time_limit"):

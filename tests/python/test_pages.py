@@ -10,7 +10,7 @@ import pytest
 import elsie
 
 SOURCE = Path(__file__).resolve().parents[2]
-PAGES = ["docs/python.md", "docs/learning.md"]
+PAGES = ["docs/python.md", "docs/learning.md", "docs/writing-a-behavior-in-python.md"]
 
 
 def blocks(page):
@@ -25,6 +25,10 @@ def test_the_blocks_of_a_page_run_in_their_order(page, tmp_path, monkeypatch):
     assert blocks(page)
     for block in blocks(page):
         exec(compile(block, page, "exec"), names)  # noqa: S102
+
+
+def test_the_first_behaviour_of_the_tutorial_is_the_example():
+    assert blocks("docs/writing-a-behavior-in-python.md")[0] == (SOURCE / "examples/12-python-plugins/orbit.py").read_text()
 
 
 @pytest.mark.parametrize("notebook", sorted(path.name for path in (SOURCE / "examples/13-python").glob("*.py")))

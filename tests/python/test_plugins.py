@@ -6,6 +6,7 @@ import shutil
 import signal
 import sqlite3
 import subprocess
+import threading
 import time
 from pathlib import Path
 
@@ -468,6 +469,48 @@ class Faulty(elsie.Sensor):
         assert what in str(error)
         assert "mine.py:12: its reading" in str(error) or "mine.py:12: the number 'x' of its reading" in str(error)
 
+    def test_a_published_number_that_is_none_is_named(self, place):
+        with pytest.raises(elsie.PluginFault, match="the published number 'near' is 'far'; expected a number"):
+            run, _ = place.run("""
+class Show(elsie.Behavior):
+    \"\"\"Shows a text.\"\"\"
+    near = elsie.published()
+    def respond(self, now):
+        self.near = "far"
+        return elsie.Motion()
+""", "<show/>", time_limit=0.1)
+            run.published("near")
+
+    @pytest.mark.parametrize("answer, what", [("{'': 'far'}", "a value of another type"), ("{'far': 1.0}", "none of its quantities"),
+                                              ("{'more': 1.0}", "quantities names 2 values now, and named 1 before the run")])
+    def test_a_report_that_makes_no_sense_is_refused(self, place, answer, what):
+        error = fault(place, STAND + f"""
+class Faulty(elsie.Measure):
+    'Reports nonsense.'
+    def __init__(self):
+        self.names = {{'': ('m', 'one')}}
+    def quantities(self):
+        return self.names
+    def observe(self, now):
+        if "more" in {answer!r}:
+            self.names['more'] = ('m', 'another')
+    def report(self, end):
+        return {answer}
+""", "<stand/>", more="<measures><faulty/></measures>")
+        assert error.plugin == "faulty" and what in str(error)
+
+    def test_a_script_that_empties_its_readings_finds_none(self, place):
+        error = fault(place, """
+class Faulty(elsie.Behavior):
+    \"\"\"Empties the dict.\"\"\"
+    def respond(self, now):
+        now.readings.clear()
+        if now.time > 0:
+            now.readings["range"]
+        return elsie.Motion()
+""", sensors="<beam_range/>")
+        assert "no sensor of the robot makes readings of the kind 'range'" in str(error)
+
     def test_an_endless_loop_is_named(self, place):
         file = place.script("""
 class Faulty(elsie.Behavior):
@@ -533,14 +576,20 @@ class TestInRuns:
         world = place.world("<stand/>", time_limit=1e5)
         process = subprocess.Popen([elsie.program(), "run", world, "--plugin", file, "--watch", "--speed", "1"], cwd=place.folder,
                                    stderr=subprocess.PIPE, text=True)
+        replaced = threading.Event()
+
+        def listen():
+            for line in process.stderr:
+                if "mine.py: new: stand of 'r1'" in line:
+                    replaced.set()
+        threading.Thread(target=listen, daemon=True).start()
         try:
-            time.sleep(2.0)
-            place.script(STAND.replace("elsie.Motion()", "elsie.Motion(0.2)").replace("Stands.", "Drives."))
-            line = ""
-            end = time.time() + 20
-            while "mine.py" not in line and time.time() < end:
-                line = process.stderr.readline()
-            assert "mine.py" in line
+            end = time.monotonic() + 30
+            saves = 0
+            while not replaced.wait(0.3) and time.monotonic() < end:  # one that comes before the program watches is no edit
+                saves += 1
+                place.script(STAND.replace("elsie.Motion()", f"elsie.Motion(0.1 + 0.001 * {saves})"))
+            assert replaced.is_set()
         finally:
             process.send_signal(signal.SIGINT)
             process.wait(20)
