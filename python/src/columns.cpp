@@ -5,35 +5,38 @@
 #include <limits>
 #include <utility>
 
+#include "field_size.h"
+
 namespace elsie::python {
 namespace {
 
 constexpr std::size_t kLetter = 4;  // bytes, in numpy's texts
 
-std::pair<const char*, std::size_t> format_of(FieldType type) {
+/// As numpy writes it.
+const char* format_of(FieldType type) {
   switch (type) {
     case FieldType::boolean:
-      return {"?", 1};
+      return "?";
     case FieldType::int8:
-      return {"i1", 1};
+      return "i1";
     case FieldType::int16:
-      return {"<i2", 2};
+      return "<i2";
     case FieldType::int32:
-      return {"<i4", 4};
+      return "<i4";
     case FieldType::int64:
-      return {"<i8", 8};
+      return "<i8";
     case FieldType::uint8:
-      return {"u1", 1};
+      return "u1";
     case FieldType::uint16:
-      return {"<u2", 2};
+      return "<u2";
     case FieldType::uint32:
-      return {"<u4", 4};
+      return "<u4";
     case FieldType::uint64:
-      return {"<u8", 8};
+      return "<u8";
     case FieldType::real32:
-      return {"<f4", 4};
+      return "<f4";
     default:
-      return {"<f8", 8};
+      return "<f8";
   }
 }
 
@@ -51,8 +54,7 @@ Column text_column(std::string name, std::size_t letters) {
 }
 
 Column column_of(std::string name, FieldType type, std::size_t most) {
-  const auto [format, size] = format_of(type);
-  return {std::move(name), format, size, most};
+  return {std::move(name), format_of(type), size_of(type), most};
 }
 
 void Column::clear(std::byte* row) const {

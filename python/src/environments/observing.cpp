@@ -11,6 +11,8 @@
 #include "elsie/base/near_name.h"
 #include "elsie/plugin/parameters.h"
 
+#include "field_size.h"
+
 namespace elsie::python {
 namespace {
 
@@ -50,24 +52,6 @@ double number_at(const void* at, FieldType type) {
       break;
   }
   return 0.0;
-}
-
-std::size_t size_of(FieldType type) {
-  switch (type) {
-    case FieldType::boolean:
-    case FieldType::int8:
-    case FieldType::uint8:
-      return 1;
-    case FieldType::int16:
-    case FieldType::uint16:
-      return 2;
-    case FieldType::int32:
-    case FieldType::uint32:
-    case FieldType::real32:
-      return 4;
-    default:
-      return 8;
-  }
 }
 
 Bounded bounds_by_type(std::string name, FieldType type) {

@@ -9,6 +9,8 @@
 
 #include "elsie/base/words.h"
 
+#include "field_size.h"
+
 namespace elsie::python {
 namespace {
 
@@ -61,24 +63,6 @@ py::dtype dtype_of(FieldType type) {
       return py::dtype::of<double>();
   }
   return py::dtype::of<double>();
-}
-
-std::size_t bytes_of(FieldType type) {
-  switch (type) {
-    case FieldType::boolean:
-    case FieldType::int8:
-    case FieldType::uint8:
-      return 1;
-    case FieldType::int16:
-    case FieldType::uint16:
-      return 2;
-    case FieldType::int32:
-    case FieldType::uint32:
-    case FieldType::real32:
-      return 4;
-    default:
-      return 8;
-  }
 }
 
 PyObject* interned(const std::string& name) { return PyUnicode_InternFromString(name.c_str()); }
@@ -216,7 +200,7 @@ void ReadingArrays::fill_stored(Field& field, std::span<const SensedReading> rea
                             py::array::ShapeContainer{static_cast<py::ssize_t>(readings.size())});
   }
   auto* to = static_cast<char*>(py::reinterpret_borrow<py::array>(field.value).mutable_data());
-  const std::size_t offset = field.declared.offset, bytes = bytes_of(field.declared.type);
+  const std::size_t offset = field.declared.offset, bytes = size_of(field.declared.type);
   if (bytes == 8) {
     for (const SensedReading& reading : readings) {
       std::memcpy(to, static_cast<const char*>(reading.value) + offset, 8);
