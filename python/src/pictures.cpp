@@ -1,6 +1,4 @@
 // Binds pictures of worlds and runs.
-#include <algorithm>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,17 +11,11 @@
 #include "elsie/recording/run_picture.h"
 #include "elsie/recording/sensor_pictures.h"
 
+#include "image_array.h"
 #include "simulation.h"
 
 namespace elsie::python {
 namespace {
-
-/// Rows, columns, and red, green, blue.
-py::array_t<std::uint8_t> array_of(const Image& image) {
-  py::array_t<std::uint8_t> array({image.height, image.width, image.channels});
-  std::copy(image.bytes.begin(), image.bytes.end(), array.mutable_data());
-  return array;
-}
 
 /// Plugins that fail to draw are left out.
 picture::TopView view_of(Simulation& self) {

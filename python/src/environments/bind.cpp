@@ -16,6 +16,7 @@
 
 #include "bindings.h"
 #include "environments/worlds.h"
+#include "image_array.h"
 #include "made.h"
 #include "world.h"
 
@@ -279,9 +280,7 @@ void bind_environments(py::module_& module) {
           const py::gil_scoped_release released;
           image = held.worlds.picture(world, width);
         }
-        py::array_t<std::uint8_t> pixels({image.height, image.width, 3});
-        std::copy(image.bytes.begin(), image.bytes.end(), pixels.mutable_data());
-        return pixels;
+        return array_of(image);
       });
 }
 

@@ -10,6 +10,7 @@
 #include "elsie/base/words.h"
 
 #include "field_size.h"
+#include "image_array.h"
 
 namespace elsie::python {
 namespace {
@@ -247,11 +248,7 @@ py::object ReadingArrays::pictures(const Field& field, const ReadingGroup& group
   for (const SensedReading& reading : group.readings) {
     declaration_->visit(reading.value, [&](const ReadingField& each) {
       if (each.name != field.declared.name || each.group != field.declared.group) return;
-      const Image& image = each.picture();
-      py::array_t<std::uint8_t> array(
-          {image.empty() ? 0 : image.height, image.width, image.channels});
-      std::copy(image.bytes.begin(), image.bytes.end(), array.mutable_data());
-      pictures.append(array);
+      pictures.append(array_of(each.picture()));
     });
   }
   return pictures;

@@ -1,7 +1,6 @@
 // Sensors in Python.
 #include "sensor.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -14,6 +13,7 @@
 #include "elsie/api/surroundings.h"
 
 #include "device.h"
+#include "image_array.h"
 #include "kinds.h"
 #include "perception.h"
 
@@ -227,10 +227,7 @@ void bind_sensors(py::module_& module) {
           "image",
           [](const SensorNow& now) -> py::object {
             if (!now->image) return py::none();
-            const Image& image = *now->image;
-            py::array_t<std::uint8_t> array({image.height, image.width, image.channels});
-            std::copy(image.bytes.begin(), image.bytes.end(), array.mutable_data());
-            return array;
+            return array_of(*now->image);
           },
           "The picture of its camera: (rows, columns, 3), or None.");
 }
