@@ -148,6 +148,8 @@ class Status:
     running: Status
     success: Status
     failure: Status
+    name: str
+    value: int
 
 class Response:
     motion: Motion

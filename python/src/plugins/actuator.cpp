@@ -62,8 +62,11 @@ void bind_actuators(py::module_& module) {
       .def_property_readonly(
           "is_new", [](const ActuatorNow& now) { return now->is_new; },
           "Whether a behaviour gave the command in this period.")
-      .def_property_readonly("random", [](const ActuatorNow& now) { return now.random; })
-      .def_property_readonly("mounting", [](const ActuatorNow& now) { return *now->mounting; })
+      .def_property_readonly(
+          "random", [](const ActuatorNow& now) { return now.random; }, "its own stream")
+      .def_property_readonly(
+          "mounting", [](const ActuatorNow& now) { return *now->mounting; },
+          "where it is on its robot")
       .def_property_readonly(
           "place",
           [](const ActuatorNow& now) {
@@ -71,7 +74,9 @@ void bind_actuators(py::module_& module) {
             return py::make_tuple(at.x, at.y, at.z);
           },
           "(x, y, z) of the actuator in the world")
-      .def_property_readonly("energy", [](const ActuatorNow& now) { return now->self.energy; })
+      .def_property_readonly(
+          "energy", [](const ActuatorNow& now) { return now->self.energy; },
+          "in the battery, units")
       .def(
           "shine",
           [](const ActuatorNow& now, int red, int green, int blue, double intensity) {

@@ -108,7 +108,8 @@ void bind_members(py::module_& module) {
   member
       .def_property_readonly(
           "name", [](LentMember& self) { return self->name(); }, "Its id in the world file.")
-      .def_property_readonly("priority", [](LentMember& self) { return self->priority(); })
+      .def_property_readonly(
+          "priority", [](LentMember& self) { return self->priority(); }, "as the user set it")
       .def(
           "respond",
           [](LentMember& self) -> Response {
@@ -134,7 +135,9 @@ void bind_members(py::module_& module) {
             return self->published(static_cast<std::size_t>(found - all.begin()));
           },
           py::arg("name"), "A number that the behaviour publishes; NaN: there is none now.")
-      .def_property_readonly("asked", [](LentMember& self) { return self->trace.asked; });
+      .def_property_readonly(
+          "asked", [](LentMember& self) { return self->trace.asked; },
+          "whether respond() was called");
   bind_trace(member, "weight", &TraceRow::weight, "The factor of its command in the sum.");
   bind_trace(member, "share", &TraceRow::share, "Its part in the result, in [0, 1].");
   bind_trace(member, "reason", &TraceRow::reason, "Why, in one or two words.");

@@ -93,25 +93,28 @@ void bind_response(py::module_& module) {
            py::arg("speed_strength") = 1.0, py::arg("lateral_strength") = 1.0,
            py::arg("turn_strength") = 1.0, py::arg("matters_rad") = py::none(),
            py::arg("status") = Status::running, py::arg("charge") = false)
-      .def_readwrite("motion", &Response::command)
+      .def_readwrite("motion", &Response::command, "What it asks for.")
       .def_readwrite("activation", &Response::activation,
                      "How relevant the behaviour is now, in [0, 1]; 0: not active.")
       .def_readwrite("strength", &Response::strength,
                      "In [0, 1], for coordinators that resolve conflicts by strength.")
       .def_readwrite("speed_strength", &Response::speed_strength,
                      "A factor of the strength, for the forward speed.")
-      .def_readwrite("lateral_strength", &Response::lateral_strength)
-      .def_readwrite("turn_strength", &Response::turn_strength)
+      .def_readwrite("lateral_strength", &Response::lateral_strength,
+                     "The same for the lateral speed.")
+      .def_readwrite("turn_strength", &Response::turn_strength, "The same for the turn.")
       .def_readwrite("matters_rad", &Response::matters_rad,
                      "The direction along which the motion matters; None: all of it does.")
-      .def_readwrite("status", &Response::status)
+      .def_readwrite("status", &Response::status, "How what it does stands.")
       .def_readwrite("charge", &Response::charge, "Asks to be charged.")
-      .def_property_readonly("events",
-                             [](const Response& self) {
-                               py::list events;
-                               for (const Event& event : self.events) events.append(event.name);
-                               return events;
-                             })
+      .def_property_readonly(
+          "events",
+          [](const Response& self) {
+            py::list events;
+            for (const Event& event : self.events) events.append(event.name);
+            return events;
+          },
+          "the names of those that it raises")
       .def(
           "act",
           [](Response& self, py::handle command, const std::string& by,
@@ -154,7 +157,7 @@ void bind_random(py::module_& module) {
           [](Lent<Random>& random, double mean, double deviation) {
             return random->normal(mean, deviation);
           },
-          py::arg("mean") = 0.0, py::arg("deviation") = 1.0)
+          py::arg("mean") = 0.0, py::arg("deviation") = 1.0, "Normally distributed.")
       .def(
           "integer",
           [](Lent<Random>& random, std::int64_t n) {
@@ -217,9 +220,9 @@ void bind_motion(py::module_& module) {
   py::class_<Pose>(module, "Pose", "A place in m and a heading, counter-clockwise from east.")
       .def(py::init<double, double, double>(), py::arg("x") = 0.0, py::arg("y") = 0.0,
            py::arg("heading_rad") = 0.0)
-      .def_readonly("x", &Pose::x)
-      .def_readonly("y", &Pose::y)
-      .def_readonly("heading_rad", &Pose::heading_rad)
+      .def_readonly("x", &Pose::x, "m")
+      .def_readonly("y", &Pose::y, "m")
+      .def_readonly("heading_rad", &Pose::heading_rad, "counter-clockwise from the x axis")
       .def(
           "bearing", [](const Pose& self, double x, double y) { return bearing(self, x, y); },
           py::arg("x"), py::arg("y"), "The direction to a point from the heading, in (-pi, pi].")

@@ -187,7 +187,9 @@ void bind_perception(py::module_& module) {
             return Self{now.lent()};
           },
           "The robot itself.")
-      .def_property_readonly("team", [](const Now& now) { return Team{now.lent()}; })
+      .def_property_readonly(
+          "team", [](const Now& now) { return Team{now.lent()}; },
+          "its team, as far as it knows it")
       .def_property_readonly(
           "events",
           [](const Now& now) {

@@ -65,7 +65,7 @@ void bind_rules(py::module_& module) {
           [](Changing& world, std::string path, double value) {
             world->set(std::move(path), value);
           },
-          py::arg("path"), py::arg("value"))
+          py::arg("path"), py::arg("value"), "edit() with a number.")
       .def(
           "add",
           [](Changing& world, const std::string& list, std::string element) {
@@ -74,7 +74,7 @@ void bind_rules(py::module_& module) {
           py::arg("list"), py::arg("element"), "add(\"obstacle\", \"<static_box/>\")")
       .def(
           "remove", [](Changing& world, const std::string& path) { world->remove(path); },
-          py::arg("path"))
+          py::arg("path"), "remove(\"obstacle[b1]\")")
       .def(
           "place",
           [](Changing& world, const std::string& what, double x, double y, double heading_rad) {
@@ -100,7 +100,7 @@ void bind_rules(py::module_& module) {
           py::arg("reason"), "Ends the run: \"all sheep are in the fold\".")
       .def(
           "fail", [](Changing& world, std::string reason) { world->fail(std::move(reason)); },
-          py::arg("reason"));
+          py::arg("reason"), "Ends the run as a failure: \"a sheep is lost\".");
 }
 
 std::unique_ptr<Component> make_rule(const ScriptClassRef& of) {

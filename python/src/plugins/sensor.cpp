@@ -119,8 +119,11 @@ void bind_sensors(py::module_& module) {
           "time", [](const SensorNow& now) { return now->time_s; }, "s")
       .def_property_readonly(
           "period", [](const SensorNow& now) { return now->period_s; }, "s")
-      .def_property_readonly("random", [](const SensorNow& now) { return now.random; })
-      .def_property_readonly("mounting", [](const SensorNow& now) { return *now->mounting; })
+      .def_property_readonly(
+          "random", [](const SensorNow& now) { return now.random; }, "its own stream")
+      .def_property_readonly(
+          "mounting", [](const SensorNow& now) { return *now->mounting; },
+          "where it is on its robot")
       .def_property_readonly(
           "place", [](const SensorNow& now) { return place_of(now->frame.origin); },
           "(x, y, z) of the sensor in the world")
@@ -137,8 +140,9 @@ void bind_sensors(py::module_& module) {
             return py::make_tuple(place_of(motion.velocity), place_of(motion.turning));
           },
           "the true velocity (m/s) and turning (rad/s) of the robot, in the world")
-      .def_property_readonly("energy",
-                             [](const SensorNow& now) { return now->world->self().energy; })
+      .def_property_readonly(
+          "energy", [](const SensorNow& now) { return now->world->self().energy; },
+          "in the battery of the robot, units")
       .def(
           "ray",
           [](const SensorNow& now, double range_m, double azimuth_rad, double pitch_rad) {

@@ -47,7 +47,7 @@ void bind_sketch(py::module_& module) {
           [](Sketching& self, const std::string& role, const Place& place) {
             self->point(role_of(role), place_of(place));
           },
-          py::arg("role"), py::arg("place"))
+          py::arg("role"), py::arg("place"), "A point.")
       .def(
           "line",
           [](Sketching& self, const std::string& role, const std::vector<Place>& places) {
@@ -55,24 +55,24 @@ void bind_sketch(py::module_& module) {
             for (const Place& each : places) all.push_back(place_of(each));
             self->line(role_of(role), all);
           },
-          py::arg("role"), py::arg("places"))
+          py::arg("role"), py::arg("places"), "A line through all these places.")
       .def(
           "arrow",
           [](Sketching& self, const std::string& role, const Place& from, const Place& to) {
             self->arrow(role_of(role), place_of(from), place_of(to));
           },
-          py::arg("role"), py::arg("start"), py::arg("end"))
+          py::arg("role"), py::arg("start"), py::arg("end"), "An arrow with its head at `end`.")
       .def(
           "circle",
           [](Sketching& self, const std::string& role, const Place& middle, double radius_m) {
             self->circle(role_of(role), place_of(middle), radius_m);
           },
-          py::arg("role"), py::arg("middle"), py::arg("radius_m"))
+          py::arg("role"), py::arg("middle"), py::arg("radius_m"), "A circle that lies flat.")
       .def(
           "text",
           [](Sketching& self, const std::string& role, const Place& place,
              const std::string& text) { self->text(role_of(role), place_of(place), text); },
-          py::arg("role"), py::arg("place"), py::arg("text"))
+          py::arg("role"), py::arg("place"), py::arg("text"), "A short text at a place.")
       .def(
           "in_world", [](Sketching& self, bool yes) { self->in_world(yes); }, py::arg("yes") = true,
           "Places of the marks that follow are in the frame of the world.");

@@ -157,13 +157,14 @@ void bind_world_view(py::module_& module) {
             return py::make_tuple(now->arena_length_m, now->arena_width_m);
           },
           "(length, width) in m; its middle is the origin")
-      .def_property_readonly("teams",
-                             [](const WorldNow& now) {
-                               py::list teams;
-                               for (const std::string_view team : now->teams)
-                                 teams.append(py::str(team));
-                               return teams;
-                             })
+      .def_property_readonly(
+          "teams",
+          [](const WorldNow& now) {
+            py::list teams;
+            for (const std::string_view team : now->teams) teams.append(py::str(team));
+            return teams;
+          },
+          "their names")
       .def_property_readonly(
           "robots",
           [](const WorldNow& now) {
@@ -181,15 +182,16 @@ void bind_world_view(py::module_& module) {
             return RobotView{now.observation,
                              static_cast<std::size_t>(&found - now->robots.data())};
           },
-          py::arg("id"))
+          py::arg("id"), "The robot with this id.")
       .def_property_readonly(
           "poses", [](const WorldNow& now) { return poses(*now); },
           "an array (robots, 3): x, y, heading")
-      .def_property_readonly("energies",
-                             [](const WorldNow& now) {
-                               return of_all(
-                                   *now, [](const ObservedRobot& robot) { return robot.energy; });
-                             })
+      .def_property_readonly(
+          "energies",
+          [](const WorldNow& now) {
+            return of_all(*now, [](const ObservedRobot& robot) { return robot.energy; });
+          },
+          "in the battery of each robot, units")
       .def_property_readonly(
           "distances",
           [](const WorldNow& now) {
