@@ -226,6 +226,25 @@ TEST_CASE("Kinds of one name are the same if their fields are") {
   CHECK_FALSE(ReadingDeclaration::of<RichReading>().fits(ReadingDeclaration::of<NoFields>()));
 }
 
+TEST_CASE("Who needs a kind by its name alone takes any layout") {
+  const ReadingDeclaration by_name{.kind = "speed"};
+  CHECK(by_name.fits(ReadingDeclaration::of<Speed>()));
+  CHECK(ReadingDeclaration::of<OtherSpeed>().fits(by_name));
+}
+
+TEST_CASE("A declaration visits readings of its kind for who does not know the struct") {
+  const RichReading reading = sound();
+  std::vector<std::string> fields, declared;
+  ReadingDeclaration::of<RichReading>().visit(&reading, [&](const ReadingField& field) {
+    fields.push_back(field.path() + "=" + std::to_string(field.count));
+  });
+  visit_fields(reading, [&](const ReadingField& field) {
+    declared.push_back(field.path() + "=" + std::to_string(field.count));
+  });
+  CHECK(fields == declared);
+  CHECK_FALSE(fields.empty());
+}
+
 TEST_CASE("A reading of another layout is refused where it is read") {
   const Speed speed;
   const Mounting mounting;

@@ -52,6 +52,9 @@ TEST_CASE("Sound declarations have no faults") {
   reacting.reacts_to = {"collision", "stuck"};
   CHECK(check_declaration(reacting).empty());
   CHECK(check_declarations(std::vector{behavior(), sensor()}).empty());
+  Declaration of_any_layout = behavior();
+  of_any_layout.needs = {{.kind = "scan"}};
+  CHECK(check_declaration(of_any_layout).empty());
 }
 
 namespace {

@@ -89,6 +89,16 @@ TEST_CASE("The report tells what was found in each file") {
   CHECK(notes.sentence == "its name ends in neither .so nor .py");
 }
 
+TEST_CASE("A script is for plugins only if a class of it derives from one of Elsie's") {
+  Folder folder;
+  write(folder / "tool.py", "import elsie\n\nclass Tool(Base):\n    pass\n");
+  const Host host = host_of(folder);
+  const FileReport tool = report_of(host, "tool.py");
+  CHECK(tool.status == FileStatus::ignored);
+  CHECK(tool.sentence == "no class of it derives from elsie.Behavior or another plugin of Elsie");
+  CHECK(host.report().warnings.empty());
+}
+
 TEST_CASE("A search path may name one library, and then no other of its folder is loaded") {
   Folder folder;
   folder.with("good").with("twin_a");

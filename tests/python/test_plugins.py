@@ -6,6 +6,7 @@ import shutil
 import signal
 import sqlite3
 import subprocess
+import sys
 import threading
 import time
 from pathlib import Path
@@ -231,6 +232,55 @@ class Talk(elsie.Behavior):
 """, "<talk/>", actuators='<radio range="3"/>', time_limit=0.5, robots="""<robot id="r2" team="red" x="1"><actuators><radio range="3"/>
             </actuators><behaviors><talk/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>""")
         assert run.published("heard")["value"].tolist() == [2.0, 1.0]
+
+
+    def test_a_new_version_takes_over_what_the_class_remembers(self, place):
+        script = """
+class Turn(elsie.Behavior):
+    \"\"\"Turns more and more.\"\"\"
+    remembers = ["turn", "seen"]
+    def reset(self, random):
+        self.turn, self.seen = 0.0, [0.0, 0.0]
+    def respond(self, now):
+        self.turn += 0.01
+        self.seen = [self.seen[1], self.turn]
+        return elsie.Motion(self.seen[0], self.turn)
+"""
+        assert place.elsie("test-plugin", place.script(script)).stdout == "behavior 'turn': no faults found\n"
+        findings = place.elsie("test-plugin", place.script(script.replace(', "seen"', "")))
+        assert findings.returncode == 1
+        assert "takes over" in findings.stdout
+
+    def test_a_random_order_of_sets_is_noted_once(self, place):
+        other = '<robot id="r2" team="red" x="1"><behaviors><stand/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>'
+        place.world("<stand/>", robots=other, time_limit=0.1)
+        code = """
+import warnings; warnings.simplefilter("ignore")
+import elsie
+world = elsie.World("world.xml", plugins=["mine.py"])
+print(sum("PYTHONHASHSEED" in str(note) for note in elsie.Simulation(world).run().notes))
+"""
+        place.script(STAND)
+        for seed, notes in (("", "1"), ("0", "0")):
+            said = subprocess.run([sys.executable, "-c", code], cwd=place.folder, capture_output=True, text=True,
+                                  env={**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": str(Path(elsie.__file__).parents[1])})
+            assert said.stdout.strip() == notes, said.stderr
+
+    def test_messages_and_commands_are_those_of_plugins_in_cpp(self, place):
+        run, _ = place.run("""
+HEADING = elsie.message("heading", heading_rad="rad")
+class Listen(elsie.Behavior):
+    \"\"\"Listens.\"\"\"
+    hears = [HEADING]
+    commands = ["led"]
+    heading = elsie.published()
+    def respond(self, now):
+        for each in now.heard("heading"):
+            self.heading = each.heading_rad
+        return elsie.Response().act("led", red=255, green=0, blue=0)
+""", "<listen/>", actuators='<radio range="3"/><led/>', time_limit=0.5, robots="""<robot id="r2" team="red" x="1" heading_deg="90"><actuators><radio range="3"/>
+            </actuators><behaviors><say what="heading"/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>""")
+        assert shown(run, "heading") == pytest.approx(math.pi / 2)
 
 
 class TestOtherKinds:

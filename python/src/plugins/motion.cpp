@@ -123,7 +123,7 @@ void bind_response(py::module_& module) {
             return self;
           },
           py::arg("command"), py::kw_only(), py::arg("by") = "",
-          "Commands an actuator: act(\"led\", red=1.0). The first word is the kind of command; "
+          "Commands an actuator: act(\"led\", red=255). The first word is the kind of command; "
           "`by` "
           "may name the actuator, otherwise it is the first that takes such commands.")
       .def(
