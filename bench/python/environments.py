@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Environments for learning, against the same worlds in C++ and against Enki's Python (python3-enki2).
+"""Environments for learning, against the same worlds in C++ and against Enki's Python (python3-enki2); a behaviour in Python; arrays.
 
   environments.py BUILD_FOLDER [--repeats N] [--threads N]
 
@@ -25,6 +25,7 @@ import numpy as np  # noqa: E402
 
 import elsie  # noqa: E402
 
+ORBIT = Path(__file__).resolve().parents[2] / "examples/12-python-plugins/orbit.py"
 BEAMS = "range.distance_m"
 WORLDS, ROBOTS = 64, 10
 SECONDS = 1.0
@@ -96,6 +97,16 @@ def enki(worlds, robots):
     return step
 
 
+def deciding(behavior):
+    """Steps of a robot with eight beams and this behaviour: a decision in each."""
+    beams = "".join(f'<beam_range id="b{i}" yaw_deg="{45 * i}"/>' for i in range(8))
+    text = f"""<world format="1"><arena length="4" width="4"/><physics engine="planar"/>
+      <robots><robot id="r1"><sensors>{beams}</sensors><behaviors>{behavior}</behaviors>
+        <coordinator><arbiter_suppression/></coordinator></robot></robots><limits time="1000000"/></world>"""
+    run = elsie.Simulation(elsie.World.parse(text, plugins=[ORBIT]), watch=False)
+    return lambda: run.step(100)
+
+
 def table(head, rows):
     print("| " + " | ".join(head) + " |\n|" + "---|" * len(head))
     for row in rows:
@@ -136,6 +147,23 @@ def main():
                      spread(theirs) if theirs else "-", f"{median(ours) / median(theirs):.1f}" if theirs else "-"])
     table(["steps of the physics in each", "`elsie.VectorEnv`, agent-steps/s", "the same worlds in C++", "part of it",
            "Enki's Python, agent-steps/s", "times Enki"], rows)
+
+    python, native_one = deciding("<orbit/>"), deciding("<avoid_obstacle/>")
+    ours, bare = [], []
+    for _ in range(REPEATS):
+        ours.append(rate(python, 100))
+        bare.append(rate(native_one, 100))
+    each_us = 1e6 / median(ours) - 1e6 / median(bare)
+    table(["decisions/s of a behaviour in Python, with their steps", "of one in C++", "what Python adds to one, us"],
+          [[spread(ours), spread(bare), f"{each_us:.1f}"]])
+
+    rows = []
+    for robots in (10, 10_000):
+        run = elsie.Simulation(world(robots), watch=False)
+        run.step()
+        assert np.shares_memory(run.poses, run.poses)  # no copy
+        rows.append([str(robots), f"{1e6 / median(rate(lambda: run.poses, 1) for _ in range(REPEATS)):.2f}"])
+    table(["robots", "`run.poses`, us"], rows)
 
 
 if __name__ == "__main__":
