@@ -62,7 +62,8 @@ def test_random_arguments_of_constructors(make, tmp_path, monkeypatch):
             raise ValueError("it was right by chance")
 
 
-@pytest.mark.parametrize("kind", [elsie.World, elsie.Simulation, elsie.Fuzzy, elsie.Network])
+@pytest.mark.parametrize("kind", [elsie.World, elsie.Simulation, elsie.Fuzzy, elsie.Network, elsie.Now, elsie.SensorNow, elsie.ActuatorNow,
+                                  elsie.WorldNow, elsie.WorldChanges, elsie.Member, elsie.Random, elsie.Sketch])
 def test_an_object_that_was_never_made_is_refused(kind):
     empty = kind.__new__(kind)
     for name in dir(_elsie.__dict__[kind.__name__]):
@@ -70,6 +71,11 @@ def test_an_object_that_was_never_made_is_refused(kind):
             continue
         with pytest.raises(Exception):
             getattr(empty, name)()
+
+
+def test_readings_that_were_never_made_have_no_attributes():
+    with pytest.raises(AttributeError):
+        elsie.Readings.__new__(elsie.Readings).distance_m
 
 
 def test_a_simulation_is_not_copied_but_a_world_is():

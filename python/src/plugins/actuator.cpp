@@ -15,7 +15,7 @@ namespace elsie::python {
 namespace {
 
 /// `now` of an actuator.
-struct ActuatorNow {
+struct ActuatorNow : Made {
   LentTo<const ActuatorContext> context = std::make_shared<Lent<const ActuatorContext>>();
   LentRandom random = std::make_shared<Lent<Random>>();
 
@@ -29,7 +29,7 @@ class ScriptedActuator : public ScriptedDevice<Actuator> {
     run({}, [&] {
       act_ = method("act");
       equipped_ = method("equipped");
-      now_ = py::cast(new ActuatorNow, py::return_value_policy::take_ownership);
+      now_ = py::cast(made<ActuatorNow>());
       lends_ = now_.cast<ActuatorNow*>();
     });
   }

@@ -23,7 +23,7 @@ class ScriptedBehavior : public ScriptedPlugin<Behavior> {
       equipped_ = method("equipped");
       rate_ = method("rate");
       only_acts_ = this->of().declared["only_acts"].cast<bool>();
-      now_ = py::cast(new Now, py::return_value_policy::take_ownership);
+      now_ = py::cast(made<Now>());
       lends_ = now_.cast<Now*>();
     });
   }

@@ -29,7 +29,7 @@ class ScriptedCoordinator : public ScriptedPlugin<Coordinator> {
       equipped_ = method("equipped");
       status_ = method("status");
       members_ = py::list();
-      now_ = py::cast(new Now, py::return_value_policy::take_ownership);
+      now_ = py::cast(made<Now>());
       lends_ = now_.cast<Now*>();
     });
   }

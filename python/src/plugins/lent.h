@@ -5,12 +5,14 @@
 #include <memory>
 #include <stdexcept>
 
+#include "made.h"
+
 namespace elsie::python {
 
 /// Something of the simulator that is valid during a call only. Objects of Python share it, and
 /// live as long as the script likes.
 template <class T>
-struct Lent {
+struct Lent : Made {
   T* at = nullptr;
   std::uint64_t call = 0;  // counts the calls
 

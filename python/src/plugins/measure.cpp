@@ -26,7 +26,7 @@ class ScriptedMeasure : public ScriptedPlugin<Measure> {
       observe_ = method("observe");
       report_ = method("report");
       equipped_ = method("equipped");
-      now_ = py::cast(new WorldNow, py::return_value_policy::take_ownership);
+      now_ = py::cast(made<WorldNow>());
       lends_ = now_.cast<WorldNow*>();
     });
   }

@@ -8,6 +8,7 @@
 #include "elsie/api/perception.h"
 
 #include "lent.h"
+#include "made.h"
 #include "reading_arrays.h"
 
 namespace elsie::python {
@@ -17,7 +18,7 @@ namespace py = pybind11;
 using LentRandom = LentTo<Random>;
 
 /// `now`. One for each object of a plugin.
-class Now {
+class Now : public Made {
  public:
   Now();
 

@@ -72,6 +72,7 @@ PyObject* interned(const std::string& name) { return PyUnicode_InternFromString(
 PyObject* attribute_of_readings(PyObject* self, PyObject* name) {
   auto* const arrays = static_cast<ReadingArrays*>(
       reinterpret_cast<py::detail::instance*>(self)->get_value_and_holder().value_ptr());
+  if (!arrays) return PyObject_GenericGetAttr(self, name);  // it was never made
   try {
     if (PyObject* const found = arrays->find(name)) return found;
   } catch (py::error_already_set& error) {

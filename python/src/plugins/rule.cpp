@@ -19,7 +19,7 @@ class ScriptedRule : public ScriptedPlugin<Rule> {
     run({}, [&] {
       apply_ = method("apply");
       equipped_ = method("equipped");
-      now_ = py::cast(new WorldNow, py::return_value_policy::take_ownership);
+      now_ = py::cast(made<WorldNow>());
       lends_ = now_.cast<WorldNow*>();
       world_ = py::cast(changing_);
     });

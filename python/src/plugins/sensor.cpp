@@ -21,7 +21,7 @@ namespace elsie::python {
 namespace {
 
 /// `now` of a sensor.
-struct SensorNow {
+struct SensorNow : Made {
   LentTo<const SensorContext> context = std::make_shared<Lent<const SensorContext>>();
   LentRandom random = std::make_shared<Lent<Random>>();
 
@@ -37,7 +37,7 @@ class ScriptedSensor : public ScriptedDevice<Sensor> {
       sense_ = method("sense");
       equipped_ = method("equipped");
       camera_ = method("camera");
-      now_ = py::cast(new SensorNow, py::return_value_policy::take_ownership);
+      now_ = py::cast(made<SensorNow>());
       lends_ = now_.cast<SensorNow*>();
     });
   }

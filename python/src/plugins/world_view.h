@@ -6,13 +6,14 @@
 #include "elsie/api/measure.h"
 
 #include "lent.h"
+#include "made.h"
 
 namespace elsie::python {
 
 namespace py = pybind11;
 
 /// `now` of a measure or a rule.
-struct WorldNow {
+struct WorldNow : Made {
   LentTo<const Observation> observation = std::make_shared<Lent<const Observation>>();
 
   const Observation& operator*() const { return **observation; }
