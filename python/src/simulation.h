@@ -86,6 +86,7 @@ class Simulation : public Made {
   void begin();
   std::uint64_t steps_until(std::uint64_t steps, double until_s);
   /// Fills all tables, which have another form if there are other robots or sensors.
+  /// Throws the first fault of a plugin that is asked, when all others are filled.
   void refresh();
 
   std::shared_ptr<const plugin::Host> host_;

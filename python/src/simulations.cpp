@@ -86,7 +86,7 @@ std::uint64_t Simulation::advance(std::uint64_t steps, double until_s) {
   std::uint64_t made = 0;
   while (made < steps) {
     std::uint64_t more = 0;
-    {
+    try {
       struct Stepping {
         explicit Stepping(bool& is_stepping) : is_stepping_(is_stepping) { is_stepping = true; }
         ~Stepping() { is_stepping_ = false; }
@@ -101,12 +101,19 @@ std::uint64_t Simulation::advance(std::uint64_t steps, double until_s) {
         failure_ = std::current_exception();
         throw;
       }
+    } catch (...) {
+      try {
+        refresh();                       // arrays show the instant of the fault
+      } catch (const std::exception&) {  // the plugin that failed, again
+      }
+      throw;
     }
     made += more;
     if (more == 0) break;
     if (PyErr_CheckSignals() != 0) {
+      const py::error_already_set interrupted;  // takes it: what follows may call scripts
       refresh();
-      throw py::error_already_set();
+      throw interrupted;
     }
   }
   refresh();
@@ -194,7 +201,7 @@ py::array Simulation::table(MakeTable make, const std::string& name) {
 }
 
 void Simulation::refresh() {
-  if (std::exchange(watcher_->is_new, false)) {
+  if (watcher_->is_new) {
     for (auto table = tables_.begin(); table != tables_.end();) {
       const auto& [make, name] = table->first;
       try {
@@ -204,8 +211,17 @@ void Simulation::refresh() {
         table = tables_.erase(table);
       }
     }
+    watcher_->is_new = false;
   }
-  for (auto& [key, table] : tables_) table.refresh(*simulation_);
+  std::exception_ptr fault;
+  for (auto& [key, table] : tables_) {
+    try {
+      table.refresh(*simulation_);
+    } catch (...) {
+      if (!fault) fault = std::current_exception();
+    }
+  }
+  if (fault) std::rethrow_exception(fault);
 }
 
 namespace {

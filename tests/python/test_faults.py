@@ -61,6 +61,15 @@ def test_what_was_seen_until_then_stays(tired):
     assert run.poses.shape == (2, 3)
 
 
+def test_views_show_the_instant_of_the_fault(tired):
+    run = elsie.Simulation(tired)
+    poses = run.poses
+    start = poses.copy()
+    with pytest.raises(elsie.PluginFault):
+        run.run()
+    assert (poses[:, :2] != start[:, :2]).any(axis=1).all()
+
+
 def test_a_reset_run_begins_anew(tired):
     run = elsie.Simulation(tired)
     with pytest.raises(elsie.PluginFault):
