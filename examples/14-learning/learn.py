@@ -48,7 +48,7 @@ def learn(world: Path, inputs: int, generations: int, seed: int = 1, **environme
 
 def case1(generations: int) -> tuple[elsie.World, Curve]:
     """Two beams say whether avoiding or searching decides; the weights become the network of a coordinator."""
-    weights, curve = learn(HERE / "case1.xml", 2, generations, observe="range.distance_m", reward={"collected": 1, "time_s": -0.005})
+    weights, curve = learn(HERE / "case1.xml", 2, generations, reward={"collected": 1, "time_s": -0.005})
     network = elsie.Network([2, 2])
     network.weights = [weights]
     network.save("case1.weights")

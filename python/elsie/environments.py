@@ -21,6 +21,8 @@ from elsie.spaces import Box, Discrete, MultiDiscrete
 
 Named = Union[str, tuple[str, float, float]]
 """A name, or a name with its least and its greatest value."""
+Names = Union[None, Named, Sequence[Named]]
+"""None: those that the world's <learning> declares."""
 Reward = Union[None, str, Sequence[str], Mapping[str, float], Callable[[Any, Any, Any], Any]]
 """Measures and values of results, with weights; or a function of observation, action and following observation."""
 WorldLike = Union[str, "os.PathLike[str]", _elsie.World]
@@ -42,15 +44,23 @@ class Setup:
     """
 
     def __init__(self, world: WorldLike, count: int, threads: int, robots: Union[None, str, Sequence[str]], is_one: bool,
-                 observe: Union[Named, Sequence[Named]], act: Union[Named, Sequence[Named]], reward: Reward,
-                 steps: Optional[int], duration: Optional[float]) -> None:
+                 observe: Names, act: Names, reward: Reward, steps: Optional[int], duration: Optional[float]) -> None:
         self.world: _elsie.World = world if isinstance(world, _elsie.World) else _elsie.World(None, os.fspath(world), [])
+        declared = {name: self.world._value(f"learning/@{name}") for name in ("robots", "observe", "act", "steps", "duration")}
+        if robots is None and declared["robots"]:
+            robots = "all" if declared["robots"] == "all" else declared["robots"].split()
+            is_one = is_one and robots != "all" and len(robots) == 1
+        observe = _declared("observe", declared["observe"]) or "readings" if observe is None else observe
+        act = _declared("act", declared["act"]) or "motion" if act is None else act
+        steps = declared["steps"] or self.world.control_steps if steps is None else steps
+        duration = declared["duration"] if duration is None else duration
         self.is_one = is_one
+        robots = "all" if robots is None and not is_one else robots
         self.robots = _robots_of(self.world, robots, is_one)
-        self.steps = _whole("steps", self.world.control_steps if steps is None else steps)
+        self.steps = _whole("steps", steps)
         if duration is not None and not 0 < duration < np.inf:
             raise InputError(f"duration={duration}: expected a time above 0 s")
-        self.is_choice = act == "choice"
+        self.is_choice = act in ("choice", ["choice"])
         self.reward = reward if callable(reward) else None
         self.worlds = _elsie.Worlds(self.world, _whole("num_envs", count), _whole("threads", threads, MOST_THREADS), self.robots,
                                     _names("observe", observe), _names("act", "priorities" if self.is_choice else act),
@@ -116,6 +126,20 @@ def _robots_of(world: _elsie.World, robots: Union[None, str, Sequence[str]], is_
     if not chosen or len(set(chosen)) != len(chosen) or (is_one and len(chosen) != 1):
         raise InputError(f"robots={chosen}: expected ids of robots, each once")
     return chosen
+
+
+def _declared(what: str, text: str) -> list[Named]:
+    """The names of an attribute of <learning>: "pose vision.column:0:100"."""
+    names: list[Named] = []
+    for word in text.split():
+        name, *bounds = word.split(":")
+        try:
+            names.append((name, float(bounds[0]), float(bounds[1])) if len(bounds) == 2 else name)
+        except ValueError:
+            bounds = [""]
+        if len(bounds) not in (0, 2):
+            raise InputError(f"<learning {what}=\"{text}\">: '{word}' is neither a name nor NAME:LEAST:GREATEST")
+    return names
 
 
 def _names(what: str, given: Union[Named, Sequence[Named]]) -> list[tuple[str, Optional[float], Optional[float]]]:
@@ -216,6 +240,8 @@ class Env(Base, _GymEnv):
     world: a file, a shipped world, or an elsie.World.
     robot: the id of the robot that learns; or robots: several of them, or "all". Then arrays have an axis for robots, and the reward is
         the mean of theirs.
+    The world may declare robots, observe, act, steps and duration itself, in <learning>; otherwise readings are observed and act is
+        "motion".
     observe: names of what is observed: "readings" (all numbers of all sensors), "range.distance_m" (of all sensors of a kind),
         "left.hit" (of the sensor with this id), "pose", "motion", "odometry", "commanded", "energy", "charging", and published
         numbers, "explore/avoid.clearance". (name, least, greatest) sets bounds; values beyond are clipped.
@@ -229,9 +255,8 @@ class Env(Base, _GymEnv):
     spec: Any = None
 
     def __init__(self, world: WorldLike, *, robot: Optional[str] = None, robots: Union[None, str, Sequence[str]] = None,
-                 observe: Union[Named, Sequence[Named]] = "readings", act: Union[Named, Sequence[Named]] = "motion",
-                 reward: Reward = None, steps: Optional[int] = None, duration: Optional[float] = None,
-                 render_mode: Optional[str] = None) -> None:
+                 observe: Names = None, act: Names = None, reward: Reward = None, steps: Optional[int] = None,
+                 duration: Optional[float] = None, render_mode: Optional[str] = None) -> None:
         if robot is not None and robots is not None:
             raise InputError("robot=... and robots=... exclude each other")
         setup = Setup(world, 1, 1, robot if robots is None else robots, robots is None, observe, act, reward, steps, duration)

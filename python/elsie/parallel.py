@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from elsie.environments import Base, Floats, Named, Reward, Setup, WorldLike, checked_seed, save
+from elsie.environments import Base, Floats, Names, Reward, Setup, WorldLike, checked_seed, save
 from elsie.errors import InputError
 from elsie.spaces import Box
 
@@ -35,10 +35,9 @@ class ParallelEnv(Base, _ParallelEnv):
     empty has come to its end and leaves `agents`; all leave when the run ends.
     """
 
-    def __init__(self, world: WorldLike, *, robots: Union[str, Sequence[str]] = "all",
-                 observe: Union[Named, Sequence[Named]] = "readings", act: Union[Named, Sequence[Named]] = "motion",
-                 reward: Reward = None, steps: Optional[int] = None, duration: Optional[float] = None,
-                 render_mode: Optional[str] = None) -> None:
+    def __init__(self, world: WorldLike, *, robots: Union[None, str, Sequence[str]] = None,
+                 observe: Names = None, act: Names = None, reward: Reward = None, steps: Optional[int] = None,
+                 duration: Optional[float] = None, render_mode: Optional[str] = None) -> None:
         setup = Setup(world, 1, 1, robots, False, observe, act, reward, steps, duration)
         self._begin(setup, render_mode)
         self.metadata["is_parallelizable"] = True

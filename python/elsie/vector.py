@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from elsie.environments import Base, Floats, Named, Reward, Setup, WorldLike, checked_seed, save
+from elsie.environments import Base, Floats, Names, Reward, Setup, WorldLike, checked_seed, save
 from elsie.errors import InputError
 from elsie.simulations import MOST_THREADS
 from elsie.spaces import Box, Discrete, MultiDiscrete
@@ -65,9 +65,8 @@ class VectorEnv(Base, _GymVectorEnv):
     spec: Any = None
 
     def __init__(self, world: WorldLike, num_envs: int, *, threads: Optional[int] = None, robot: Optional[str] = None,
-                 robots: Union[None, str, Sequence[str]] = None, observe: Union[Named, Sequence[Named]] = "readings",
-                 act: Union[Named, Sequence[Named]] = "motion", reward: Reward = None, steps: Optional[int] = None,
-                 duration: Optional[float] = None, autoreset_mode: Union[str, AutoresetMode] = AutoresetMode.NEXT_STEP,
+                 robots: Union[None, str, Sequence[str]] = None, observe: Names = None, act: Names = None, reward: Reward = None,
+                 steps: Optional[int] = None, duration: Optional[float] = None, autoreset_mode: Union[str, AutoresetMode] = AutoresetMode.NEXT_STEP,
                  copy: bool = True, render_mode: Optional[str] = None) -> None:
         if robot is not None and robots is not None:
             raise InputError("robot=... and robots=... exclude each other")

@@ -157,6 +157,40 @@ def test_close_may_be_called_twice():
 
 
 @pytest.mark.parametrize("make", [elsie.Env, lambda world: elsie.VectorEnv(world, 2), elsie.ParallelEnv])
+def test_a_world_declares_what_is_learned_in_it():
+    world = elsie.World("worlds/clutter.xml")
+    world["learning/@observe"] = "pose.x:-2:2 range.hit"
+    world["learning/@act"] = "priorities"
+    world["learning/@steps"] = 5
+    env = elsie.Env(world)
+    names, = env.observation_names
+    assert names[0] == "pose.x" and all(".hit" in name for name in names[1:])
+    assert (env.observation_space.low[0], env.observation_space.high[0]) == (-2.0, 2.0)
+    assert env.action_names == elsie.Env("worlds/clutter.xml", act="priorities").action_names
+    env.reset(seed=1)
+    before = env.time_s
+    env.step(env.action_space.sample())
+    assert env.time_s - before == pytest.approx(5 * world.step_s)
+    assert elsie.Env(world, observe="energy").observation_space.shape == (1,)
+
+
+@pytest.mark.parametrize("text", ["pose.x:1", "pose.x:0:1:2", "pose.x:low:high"])
+def test_a_declaration_that_says_nothing_is_refused(text):
+    world = elsie.World("worlds/clutter.xml")
+    world["learning/@observe"] = text
+    with pytest.raises(elsie.InputError, match="NAME:LEAST:GREATEST"):
+        elsie.Env(world)
+
+
+def test_robots_of_a_world_that_learn_are_declared():
+    world = elsie.World("worlds/ten_robots.xml")
+    world["learning/@robots"] = "r2 r1"
+    assert elsie.Env(world).observation_space.shape[0] == 2
+    assert elsie.ParallelEnv(world).possible_agents == ["r2", "r1"]
+    world["learning/@robots"] = "all"
+    assert len(elsie.ParallelEnv(world).possible_agents) == 10
+
+
 def test_a_closed_environment_has_given_its_worlds_up(make):
     env = make(parsed())
     worlds = weakref.ref(env._setup.worlds)

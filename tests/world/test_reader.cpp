@@ -18,7 +18,7 @@ using Catch::Contains;
 TEST_CASE("An empty world has the default of everything") {
   const world::World world = read("");
   const world::World none;
-  for (const char* part : {"arena", "physics", "limits"}) {
+  for (const char* part : {"arena", "physics", "limits", "learning"}) {
     CHECK(world::same_part(world::vocabulary(), part, &world, &none));
   }
   CHECK(world.robots.empty());

@@ -311,6 +311,17 @@ ElementSpec limits() {
       .attribute("wall_time", &Limits::wall_time, positive("s", 1e9, "time on the clock"));
 }
 
+ElementSpec learning() {
+  return Describe<Learning>("learning", "What an agent that learns is told and may do")
+      .attribute("robots", &Learning::robots, fact("ids of those that learn, or 'all'"))
+      .attribute("observe", &Learning::observe, fact("names of what is observed"))
+      .attribute("act", &Learning::act, fact("names of what is set"))
+      .attribute("steps", &Learning::steps,
+                 range("", 0, 1e9, "of the physics in each of its steps; 0: a control period"))
+      .attribute("duration", &Learning::duration,
+                 positive("s", 1e9, "of an episode, instead of the limit of time"));
+}
+
 // Adds the boxes of one kind and shape to a list.
 Describe<World> obstacles(Describe<World> list, ElementSpec obstacle, ObstacleKind kind,
                           ObstacleShape shape = ObstacleShape::box) {
@@ -358,7 +369,8 @@ ElementSpec world() {
                  .each(rule(), &World::rules))
       .group(Describe<World>("changes", "Edits of the world while it runs")
                  .each(change(), &World::edits))
-      .one(limits(), &World::limits);
+      .one(limits(), &World::limits)
+      .one(learning(), &World::learning);
 }
 
 }  // namespace

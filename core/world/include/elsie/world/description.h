@@ -410,6 +410,17 @@ struct Limits {
   std::optional<double> wall_time;  // s on the clock
 };
 
+/// What an agent that learns is told and may do: for environments in Python (docs/learning.md). A
+/// run is the same with and without it. Names are separated by blanks; empty: the environment's
+/// own.
+struct Learning {
+  std::string robots;   // ids, or "all"
+  std::string observe;  // "range.distance_m motion"
+  std::string act;      // "motion", "priorities", ...
+  int steps = 0;        // of the physics in each step of the environment; 0: a control period
+  std::optional<double> duration;  // s, instead of the limit of time
+};
+
 /// An edit of the running world between two steps, as one of ReadOptions::edits.
 struct TimedEdit {
   double time = 0.0;  // s; made before the first step that begins at this time or later
@@ -450,6 +461,7 @@ struct World {
   std::vector<PluginUse> rules;
   base::List<TimedEdit> edits;  // in file order
   Limits limits;
+  Learning learning;
   std::optional<Drawn> drawn;  // none: its file has no layouts
 };
 
