@@ -105,9 +105,10 @@ TEST_CASE("A plugin that cannot be built or used is reported, and nothing runs")
         "elsie: 'missing.cpp' cannot be read: No such file or directory; check the path\n");
   CHECK(refused("run world.xml --plugin missing.so") ==
         "elsie: --plugin: there is no file 'missing.so'\n");
-  CHECK(refused("run world.xml --plugin world.xml") ==
-        "elsie: --plugin: 'world.xml' should be a plugin library (.so), the source of one (.cpp), or "
-        "a script with plugins (.py)\n");
+  CHECK(
+      refused("run world.xml --plugin world.xml") ==
+      "elsie: --plugin: 'world.xml' should be a plugin library (.so), the source of one (.cpp), or "
+      "a script with plugins (.py)\n");
   here.write("junk.so", "no library");
   CHECK_THAT(refused("run world.xml --plugin junk.so"), Contains("--plugin: 'junk.so'"));
   CHECK(refused("build straight.cpp --output straight.txt") ==

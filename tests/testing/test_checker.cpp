@@ -203,8 +203,9 @@ TEST_CASE("All shipped plugins pass the checker") {
                              {{"sequence", {}, {run("low"), run("high")}}, run("high")}}};
       } else if (name == "remote" || name == "arbiter_remote") {
         options.settings = {{"command",
-                             "while read -r line; do case $line in *'\"time\":'*) echo "
-                             "'{\"forward\":0.1}';; *'\"end\"'*) ;; *) echo '{}';; esac; done"}};
+                             "python3 -c 'import sys\nfor line in sys.stdin:\n  print(\"{}\" if "
+                             "\"reset\" in line or \"hello\" in line else "
+                             "\"{\\\"forward\\\":0.1}\", flush=True)'"}};
       } else if (name == "arbiter_learning") {
         options.members = {"low", "high"};
         options.settings = {{"values", folder.file("learned.values")}};
