@@ -119,6 +119,10 @@ void keep_output(int count, char** arguments) {
   }
 }
 
+void give_output_back() {
+  if (kept_output >= 0) dup2(kept_output, STDOUT_FILENO);
+}
+
 std::string program_path() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
 }  // namespace elsie::program

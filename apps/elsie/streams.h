@@ -23,6 +23,9 @@ int out_descriptor();
 /// plugins are loaded.
 void keep_output(int count, char** arguments);
 
+/// Undoes that, for a program that takes this one's place.
+void give_output_back();
+
 /// The file of this program.
 std::string program_path();
 

@@ -58,7 +58,7 @@ class Setup:
         robots = "all" if robots is None and not is_one else robots
         self.robots = _robots_of(self.world, robots, is_one)
         self.steps = _whole("steps", steps)
-        if duration is not None and not 0 < duration < np.inf:
+        if duration is not None and not (isinstance(duration, (int, float, np.number)) and 0 < duration < np.inf):
             raise InputError(f"duration={duration}: expected a time above 0 s")
         self.is_choice = act in ("choice", ["choice"])
         self.reward = reward if callable(reward) else None
@@ -164,9 +164,11 @@ def _terms(reward: Any) -> Optional[list[tuple[str, float]]]:
         return None
     if isinstance(reward, str):
         return [(reward, 1.0)]
+    if not isinstance(reward, (Mapping, Sequence)):
+        raise InputError(f"reward={reward!r}: expected a name, names with weights, or a function")
     terms = list(reward.items()) if isinstance(reward, Mapping) else [(name, 1.0) for name in reward]
     for name, weight in terms:
-        if not isinstance(name, str) or not np.isfinite(weight):
+        if not isinstance(name, str) or not isinstance(weight, (int, float, np.number)) or not np.isfinite(weight):
             raise InputError(f"reward: {name!r}: {weight!r} is no name of a measure or value with a weight")
     return [(name, float(weight)) for name, weight in terms]
 
@@ -300,7 +302,7 @@ class Env(Base, _GymEnv):
         setup = self._open
         observation, reward, terminated, truncated = self._step(setup.numbers_of(action, self.action_space))
         if setup.reward:
-            reward = float(setup.reward(self._before, action, observation))
+            reward = checked_reward(setup.reward(self._before, action, observation))
             self._before = observation
         return observation, reward, terminated, truncated
 
@@ -353,7 +355,20 @@ class Env(Base, _GymEnv):
 def save(setup: Setup, world: int, file: Union[str, "os.PathLike[str]"]) -> None:
     """Saves an episode. Warns once if `elsie run` would make it with other bits."""
     note_of_bits()
+    if os.path.exists(file) and os.path.exists(setup.world.file) and os.path.samefile(file, setup.world.file):
+        raise InputError(f"save: '{os.fspath(file)}' is the world of this environment, which would be lost; name another file")
     setup.worlds.save(world, os.fspath(file))
+
+
+def checked_reward(reward: Any) -> float:
+    """What a function of the user returned."""
+    try:
+        earned = float(reward)
+    except (TypeError, ValueError):
+        raise InputError(f"The reward function returned {reward!r}; expected a number") from None
+    if not np.isfinite(earned):
+        raise InputError(f"The reward function returned {earned}; expected a finite number")
+    return earned
 
 
 def checked_seed(seed: Any) -> int:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from elsie.environments import Base, Floats, Names, Reward, Setup, WorldLike, checked_seed, save
+from elsie.environments import Base, Floats, Names, Reward, Setup, WorldLike, checked_reward, checked_seed, save
 from elsie.errors import InputError
 from elsie.spaces import Box
 
@@ -108,7 +108,7 @@ class ParallelEnv(Base, _ParallelEnv):
         ended = dict(zip(self.possible_agents, worlds.ended[0].tolist()))
         earned = dict(zip(self.possible_agents, worlds.rewards[0].tolist()))
         observations = self._observed()
-        rewards = {agent: float(setup.reward(self._before[agent], actions[agent], observations[agent])) if setup.reward
+        rewards = {agent: checked_reward(setup.reward(self._before[agent], actions[agent], observations[agent])) if setup.reward
                    else earned[agent] for agent in self.agents}
         self._before = dict(observations)
         terminations = {agent: terminated or ended[agent] for agent in self.agents}

@@ -131,7 +131,8 @@ class Simulation(_elsie.Simulation, Paths):
             raise InputError(f"every: expected a number of seconds above 0, not {every}")
         if not callable(function):
             raise TypeError(f"observe() expected a function of the simulation, not {type(function).__name__}")
-        self._observers.append(_Observer(function, every, self.time))
+        at_each_step = every is not None and every <= self.step_s
+        self._observers.append(_Observer(function, None if at_each_step else every, self.time))
         return function
 
     def reset(self, seed: Optional[int] = None) -> None:

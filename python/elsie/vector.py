@@ -106,6 +106,8 @@ class VectorEnv(Base, _GymVectorEnv):
         """Begins an episode in all worlds, or in those of options["reset_mask"]. An int seed gives world i the seed + i; None goes on."""
         worlds = self._open.worlds
         chosen = np.ones(self.num_envs, np.bool_)
+        if options and set(options) - {"reset_mask"}:
+            raise InputError(f"options: there is no {sorted(map(str, set(options) - {'reset_mask'}))[0]!r}; there is 'reset_mask'")
         if options and "reset_mask" in options:
             chosen = np.asarray(options["reset_mask"])
             if chosen.shape != (self.num_envs,) or chosen.dtype != np.bool_ or not chosen.any():
@@ -152,6 +154,8 @@ class VectorEnv(Base, _GymVectorEnv):
             rewards = np.array(setup.reward(self._before, actions, following), np.float64)
             if rewards.shape != (self.num_envs,):
                 raise InputError(f"The reward function returned the shape {rewards.shape}; expected ({self.num_envs},)")
+            if not np.isfinite(rewards).all():
+                raise InputError(f"The reward function returned {rewards}; expected finite numbers")
             if self._renewal == 0:
                 rewards[self._begun] = 0.0
             self._before = observations

@@ -78,6 +78,15 @@ std::string start() {
   const std::optional<std::string> kept =
       before ? std::optional<std::string>(before) : std::nullopt;
   setenv(kHashSeed, "0", 1);
+  // Where Python looks for its packages follows from the interpreter that it takes itself for.
+  static std::wstring interpreter;  // Python keeps its address
+  const char* const chosen = std::getenv("ELSIE_PYTHON");
+  if (auto* const name_it = c_function<void(const wchar_t*)>("Py_SetProgramName");
+      chosen && *chosen && name_it) {
+    const std::string text = chosen;
+    interpreter.assign(text.begin(), text.end());
+    name_it(interpreter.c_str());
+  }
   c_function<void(int)>("Py_InitializeEx")(0);  // without handlers of signals
   kept ? setenv(kHashSeed, kept->c_str(), 1) : unsetenv(kHashSeed);
   // Output goes out line by line, because nobody ends the interpreter.
@@ -108,8 +117,9 @@ elsie::plugin::LoadScript loader() {
                                     capsule, ELSIE_LOAD_SCRIPT)
                               : nullptr;
   if (!found) {
-    throw std::runtime_error("needs the module elsie of Python, which cannot be imported: " +
-                             exception_text());
+    throw std::runtime_error(
+        "needs the module elsie of Python, which cannot be imported: " + exception_text() +
+        "; ELSIE_PYTHON may name the interpreter whose packages it uses");
   }
   return reinterpret_cast<elsie::plugin::LoadScript>(found);
 }

@@ -157,6 +157,36 @@ def test_close_may_be_called_twice():
 
 
 @pytest.mark.parametrize("make", [elsie.Env, lambda world: elsie.VectorEnv(world, 2), elsie.ParallelEnv])
+@pytest.mark.parametrize("duration, steps", [(2.0, 30), (None, 30)])
+def test_a_saved_world_ends_when_its_episode_did(tmp_path, duration, steps):
+    env = elsie.Env("worlds/clutter.xml", observe="range.distance_m", steps=10, duration=duration)
+    env.reset(seed=7)
+    for _ in range(steps):
+        if any(env.step(np.array([1, 0.2], np.float32))[2:4]):
+            break
+    env.save(tmp_path / "kept.xml")
+    kept = elsie.Simulation(tmp_path / "kept.xml", seed=7)
+    kept.run()
+    assert kept.time == pytest.approx(env.time_s)
+    assert kept.state_hash == env.state_hash
+
+
+def test_a_world_is_not_written_over_by_its_episode(tmp_path):
+    elsie.World("worlds/clutter.xml").save(tmp_path / "own.xml")
+    env = elsie.Env(tmp_path / "own.xml")
+    env.reset(seed=1)
+    with pytest.raises(elsie.InputError, match="would be lost"):
+        env.save(tmp_path / "own.xml")
+
+
+@pytest.mark.parametrize("reward", [float("nan"), None, "much"])
+def test_a_reward_is_a_finite_number(reward):
+    env = elsie.Env("worlds/clutter.xml", reward=lambda *_: reward)
+    env.reset(seed=1)
+    with pytest.raises(elsie.InputError, match="The reward function returned"):
+        env.step(env.action_space.sample())
+
+
 def test_a_world_declares_what_is_learned_in_it():
     world = elsie.World("worlds/clutter.xml")
     world["learning/@observe"] = "pose.x:-2:2 range.hit"

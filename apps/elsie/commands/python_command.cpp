@@ -17,6 +17,7 @@
 #include "elsie/plugin/own_library.h"
 
 #include "command.h"
+#include "streams.h"
 
 namespace elsie::program {
 
@@ -47,6 +48,7 @@ int become_python(const std::vector<std::string>& words) {
   std::vector<char*> arguments{const_cast<char*>(python.c_str())};
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
+  give_output_back();
   execvp(python.c_str(), arguments.data());
   throw BadInput("'" + python + "' cannot be started: " + std::generic_category().message(errno) +
                  "; install python3, or name an interpreter in ELSIE_PYTHON");

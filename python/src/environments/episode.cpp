@@ -228,8 +228,15 @@ world::World Episode::kept() const {
 
 void Episode::save(const std::filesystem::path& file) const {
   if (!is_sound_) throw base::BadInput("A fault has ended this episode: it cannot be saved");
-  const world::World world = kept();
+  world::World world = kept();
   if (file.extension() == ".xml") {
+    using simulation::Outcome;
+    const Outcome outcome = simulation_->outcome();
+    if (outcome == Outcome::running) {
+      world.limits.time = simulation_->time_s();
+    } else if (declared_.time_limit_s) {
+      world.limits.time = *declared_.time_limit_s;
+    }
     world::ReadOptions reading;
     reading.data_directories = world::default_data_directories();
     const editing::Document document(world::write_world(world), world.file, host_, reading);

@@ -11,6 +11,7 @@
 
 #include "elsie/api/sensor.h"
 #include "elsie/api/surroundings.h"
+#include "elsie/base/number_text.h"
 
 #include "device.h"
 #include "image_array.h"
@@ -68,7 +69,22 @@ class ScriptedSensor : public ScriptedDevice<Sensor> {
 };
 
 /// A ray from the sensor, turned to the left by `azimuth` and upwards by `pitch`.
+/// A number of a script, which engines take as it is.
+double finite(const char* name, double value) {
+  if (std::isfinite(value)) return value;
+  throw py::value_error(std::string(name) + " is " + base::number_text(value) +
+                        "; expected a finite number");
+}
+/// The same for a length.
+double length(const char* name, double value) {
+  if (std::isfinite(value) && value >= 0.0) return value;
+  throw py::value_error(std::string(name) + " is " + base::number_text(value) +
+                        "; expected a finite number of at least 0");
+}
+
 Frame ray(const SensorContext& now, double azimuth_rad, double pitch_rad) {
+  finite("azimuth_rad", azimuth_rad);
+  finite("pitch_rad", pitch_rad);
   return now.frame.frame(Frame::turned({}, azimuth_rad, pitch_rad));
 }
 
@@ -101,7 +117,7 @@ py::list lamps_of(std::span<const LampView> lamps) {
 }
 
 Vector2 place_or_own(const SensorContext& now, std::optional<double> x, std::optional<double> y) {
-  return {x.value_or(now.frame.origin.x), y.value_or(now.frame.origin.y)};
+  return {finite("x", x.value_or(now.frame.origin.x)), finite("y", y.value_or(now.frame.origin.y))};
 }
 
 }  // namespace
@@ -147,7 +163,7 @@ void bind_sensors(py::module_& module) {
           "ray",
           [](const SensorNow& now, double range_m, double azimuth_rad, double pitch_rad) {
             const Frame from = ray(*now, azimuth_rad, pitch_rad);
-            return now->world->cast_ray(from.origin, from.forward, range_m);
+            return now->world->cast_ray(from.origin, from.forward, length("range_m", range_m));
           },
           py::arg("range_m"), py::arg("azimuth_rad") = 0.0, py::arg("pitch_rad") = 0.0,
           "The distance to the first surface in this direction from that of the sensor, or None.")
@@ -156,7 +172,7 @@ void bind_sensors(py::module_& module) {
           [](const SensorNow& now, double range_m, double azimuth_rad,
              double pitch_rad) -> py::object {
             const Frame from = ray(*now, azimuth_rad, pitch_rad);
-            RayQuery query{&from, range_m};
+            RayQuery query{&from, length("range_m", range_m)};
             Surface surface;
             now->world->cast_rays(Frame{}, {&query, 1}, {&surface, 1});
             if (query.distance_m == RayQuery::kNothing) return py::none();
@@ -169,21 +185,23 @@ void bind_sensors(py::module_& module) {
           [](const SensorNow& now, double range_m, double horizontal_fov_rad,
              double vertical_fov_rad) {
             return now->world->anything_in(
-                {now->frame, horizontal_fov_rad, vertical_fov_rad, range_m});
+                {now->frame, length("horizontal_fov_rad", horizontal_fov_rad),
+                 length("vertical_fov_rad", vertical_fov_rad), length("range_m", range_m)});
           },
           py::arg("range_m"), py::arg("horizontal_fov_rad"), py::arg("vertical_fov_rad"),
           "Whether a body reaches into a pyramid before the sensor.")
       .def(
           "is_open",
           [](const SensorNow& now, double x, double y, double z) {
-            return now->world->is_open(now->frame.origin, {x, y, z});
+            return now->world->is_open(now->frame.origin,
+                                       {finite("x", x), finite("y", y), finite("z", z)});
           },
           py::arg("x"), py::arg("y"), py::arg("z"), "Whether nothing is between it and a place.")
       .def(
           "things",
           [](const SensorNow& now, double radius_m) {
             std::vector<NearThing> things;
-            now->world->things_within(radius_m, things);
+            now->world->things_within(length("radius_m", radius_m), things);
             py::list all;
             for (const NearThing& each : things) {
               all.append(py::make_tuple(thing_of(each.thing), each.distance_m, each.bearing_rad));
@@ -199,7 +217,7 @@ void bind_sensors(py::module_& module) {
           "lights",
           [](const SensorNow& now, double radius_m) {
             std::vector<LampView> lights;
-            now->world->lights_within(radius_m, lights);
+            now->world->lights_within(length("radius_m", radius_m), lights);
             return lamps_of(lights);
           },
           py::arg("radius_m"), "What actuators of other robots shine, also hidden lights.")
