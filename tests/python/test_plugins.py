@@ -316,6 +316,19 @@ class Ask(elsie.Coordinator):
         assert error.plugin == "faulty"
         assert str(error).endswith("mine.py:7: ValueError: oh")
 
+    @pytest.mark.parametrize("question", ["ray(math.nan)", "ray(-1)", "see(1, azimuth_rad=math.inf)", "things(math.nan)", "lights(-1)",
+                                          "anything_in(math.nan, 1, 1)", "is_open(math.nan, 0, 0)", "floor_colour(math.inf, 0)"])
+    def test_a_sensor_asks_with_finite_numbers(self, place, question):
+        failed = fault(place, f"""
+class Odd(elsie.Sensor):
+    \"\"\"Asks oddly.\"\"\"
+    reading = elsie.reading("odd", x="m")
+    def sense(self, now):
+        now.{question}
+        return {{"x": 0.0}}
+""", "<wander/>", sensors="<odd/>")
+        assert "expected a finite number" in str(failed)
+
     def test_a_sensor_makes_readings_of_its_own_that_noise_may_change(self, place):
         run, _ = place.run("""
 class Clearance(elsie.Sensor):
