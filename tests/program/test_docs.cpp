@@ -59,7 +59,8 @@ std::string command_of(const std::string& line) {
 /// Whether a line builds or installs the program under test, or a plugin of the reader:
 /// tests/package/ runs those.
 bool builds(const std::string& line) {
-  return line.starts_with("make ") || line.starts_with("cmake ") || line.starts_with("sudo ");
+  return line.starts_with("make ") || line.starts_with("cmake ") || line.starts_with("sudo ") ||
+         line.find("venv") != line.npos;
 }
 
 }  // namespace
