@@ -156,7 +156,6 @@ def test_close_may_be_called_twice():
             env.step([0, 0])
 
 
-@pytest.mark.parametrize("make", [elsie.Env, lambda world: elsie.VectorEnv(world, 2), elsie.ParallelEnv])
 @pytest.mark.parametrize("duration, steps", [(2.0, 30), (None, 30)])
 def test_a_saved_world_ends_when_its_episode_did(tmp_path, duration, steps):
     env = elsie.Env("worlds/clutter.xml", observe="range.distance_m", steps=10, duration=duration)
@@ -221,6 +220,7 @@ def test_robots_of_a_world_that_learn_are_declared():
     assert len(elsie.ParallelEnv(world).possible_agents) == 10
 
 
+@pytest.mark.parametrize("make", [elsie.Env, lambda world: elsie.VectorEnv(world, 2), elsie.ParallelEnv])
 def test_a_closed_environment_has_given_its_worlds_up(make):
     env = make(parsed())
     worlds = weakref.ref(env._setup.worlds)
