@@ -8,6 +8,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Optional, Union
 
@@ -341,7 +342,8 @@ class Env(Base, _GymEnv):
     def save(self, file: Union[str, "os.PathLike[str]"]) -> None:
         """Keeps the episode so far: as a world with the actions as edits (.xml), or as a recording (.mcap).
 
-        `elsie run FILE --seed N`, with the seed `seed_now`, and `elsie replay FILE` make it again, bit for bit.
+        `elsie run FILE --seed N`, with the seed `seed_now`, and `elsie replay FILE` make it again, bit for bit. Where the world has
+        an <endure> goal that lasts longer than the episode, a warning says the `--duration` that the run needs.
         """
         save(self._open, 0, file)
 
@@ -354,10 +356,14 @@ class Env(Base, _GymEnv):
 
 def save(setup: Setup, world: int, file: Union[str, "os.PathLike[str]"]) -> None:
     """Saves an episode. Warns once if `elsie run` would make it with other bits."""
+    name = os.fspath(file)
     note_of_bits()
-    if os.path.exists(file) and os.path.exists(setup.world.file) and os.path.samefile(file, setup.world.file):
-        raise InputError(f"save: '{os.fspath(file)}' is the world of this environment, which would be lost; name another file")
-    setup.worlds.save(world, os.fspath(file))
+    if os.path.exists(name) and os.path.exists(setup.world.file) and os.path.samefile(name, setup.world.file):
+        raise InputError(f"save: '{name}' is the world of this environment, which would be lost; name another file")
+    limit = setup.worlds.save(world, name)
+    if limit is not None:
+        warnings.warn(f"{name}: a goal of this world lasts longer than the episode, so that its limit of time stays; "
+                      f"the run ends as the episode did with `--duration {limit!r}`", stacklevel=3)
 
 
 def checked_reward(reward: Any) -> float:

@@ -158,7 +158,7 @@ def test_close_may_be_called_twice():
 
 @pytest.mark.parametrize("duration, steps", [(2.0, 30), (None, 30)])
 def test_a_saved_world_ends_when_its_episode_did(tmp_path, duration, steps):
-    env = elsie.Env("worlds/clutter.xml", observe="range.distance_m", steps=10, duration=duration)
+    env = elsie.Env("worlds/maze.xml", observe="range.distance_m", steps=10, duration=duration)
     env.reset(seed=7)
     for _ in range(steps):
         if any(env.step(np.array([1, 0.2], np.float32))[2:4]):
@@ -168,6 +168,17 @@ def test_a_saved_world_ends_when_its_episode_did(tmp_path, duration, steps):
     kept.run()
     assert kept.time == pytest.approx(env.time_s)
     assert kept.state_hash == env.state_hash
+
+
+def test_a_goal_that_outlasts_a_saved_episode_is_told(tmp_path):
+    env = elsie.Env("worlds/clutter.xml", steps=10)
+    env.reset(seed=7)
+    env.step(env.action_space.sample())
+    with pytest.warns(UserWarning, match="--duration 0.1"):
+        env.save(tmp_path / "kept.xml")
+    again = elsie.Simulation(tmp_path / "kept.xml", seed=7, time_limit=env.time_s)
+    again.run()
+    assert again.state_hash == env.state_hash
 
 
 def test_a_world_is_not_written_over_by_its_episode(tmp_path):

@@ -271,7 +271,7 @@ void bind_environments(py::module_& module) {
            [](Held& held, std::size_t world, const std::string& file) {
              checked(held, world);
              const py::gil_scoped_release released;
-             held.worlds.save(world, file);
+             return held.worlds.save(world, file);
            })
       .def("picture", [](const Held& held, std::size_t world, int width) {
         checked(held, world);

@@ -226,16 +226,21 @@ world::World Episode::kept() const {
   return world;
 }
 
-void Episode::save(const std::filesystem::path& file) const {
+std::optional<double> Episode::save(const std::filesystem::path& file) const {
   if (!is_sound_) throw base::BadInput("A fault has ended this episode: it cannot be saved");
   world::World world = kept();
   if (file.extension() == ".xml") {
-    using simulation::Outcome;
-    const Outcome outcome = simulation_->outcome();
-    if (outcome == Outcome::running) {
-      world.limits.time = simulation_->time_s();
-    } else if (declared_.time_limit_s) {
-      world.limits.time = *declared_.time_limit_s;
+    // The limit ends the run when the episode did, unless a goal lasts longer than that.
+    std::optional<double> limit = declared_.time_limit_s;
+    if (simulation_->outcome() == simulation::Outcome::running) limit = simulation_->time_s();
+    bool is_too_short = false;
+    world::for_each_goal(world.goals, [&](const world::Goal& goal) {
+      const auto* const endure = std::get_if<world::EndureGoal>(&goal);
+      is_too_short = is_too_short || (limit && endure && endure->time > *limit);
+    });
+    if (limit && !is_too_short) {
+      world.limits.time = *limit;
+      limit.reset();
     }
     world::ReadOptions reading;
     reading.data_directories = world::default_data_directories();
@@ -243,7 +248,7 @@ void Episode::save(const std::filesystem::path& file) const {
     const std::string folder = file.parent_path().string();
     files::require_writable(file, "save");
     files::write_whole_or_throw(file, document.text_for(folder.empty() ? "." : folder));
-    return;
+    return limit;
   }
   recording::require_recording(file, "save");
   const bool is_over = simulation_->outcome() != simulation::Outcome::running;
@@ -258,6 +263,7 @@ void Episode::save(const std::filesystem::path& file) const {
                       simulation::hash_text(simulation_->state_hash()) +
                       "; a plugin gives other answers when it runs again");
   }
+  return std::nullopt;
 }
 
 }  // namespace elsie::python

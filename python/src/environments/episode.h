@@ -67,7 +67,9 @@ class Episode {
 
   /// Keeps the episode so far: its world with the actions as edits (.xml), or a recording (.mcap).
   /// Throws base::BadInput, and what writing throws.
-  void save(const std::filesystem::path& file) const;
+  /// Returns the time limit, s, that a world file cannot have because a goal lasts longer; the run
+  /// of the file needs it.
+  std::optional<double> save(const std::filesystem::path& file) const;
 
  private:
   /// The actions of a step.

@@ -202,9 +202,9 @@ void Worlds::step(std::span<const float> actions, Renewal renewal) {
   });
 }
 
-void Worlds::save(std::size_t world, const std::filesystem::path& file) {
+std::optional<double> Worlds::save(std::size_t world, const std::filesystem::path& file) {
   const Work work(at_work_);
-  begun_episode(world).save(file);
+  return begun_episode(world).save(file);
 }
 
 Image Worlds::picture(std::size_t world, int width) const {

@@ -74,7 +74,7 @@ class Worlds {
     const Work work(at_work_);
     return outcomes_[world];
   }
-  void save(std::size_t world, const std::filesystem::path& file);
+  std::optional<double> save(std::size_t world, const std::filesystem::path& file);
   /// The world from above, north at its top.
   Image picture(std::size_t world, int width) const;
 
