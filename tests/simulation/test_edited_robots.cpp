@@ -41,7 +41,13 @@ std::string markup_of(const std::string& coordinator) {
                              : coordinator == "arbiter_tree" ? "<run behavior='avoid'/>"
                              : coordinator == "arbiter_learning" ? "<feature of='battery'/>"
                                                                  : "";
-  return "<" + coordinator + needs_of(coordinator) + ">" + inside + "</" + coordinator + ">";
+  const std::string program =
+      coordinator == "arbiter_remote"
+          ? " command=\"while read -r line; do case $line in *'&quot;time&quot;:'*) echo "
+            "'{&quot;forward&quot;:0.1}';; *'&quot;end&quot;'*) ;; *) echo '{}';; esac; done\""
+          : "";
+  return "<" + coordinator + needs_of(coordinator) + program + ">" + inside + "</" + coordinator +
+         ">";
 }
 
 const std::string kBoth = "<wander id=\"avoid\"/><wander id=\"go\"/>";
