@@ -1,9 +1,13 @@
+import signal
 import warnings
 
 import pytest
 
 import elsie
 from worlds import ARENA
+
+
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell has it ignored by what runs in the background
 
 
 @pytest.fixture(autouse=True)

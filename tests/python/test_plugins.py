@@ -587,7 +587,6 @@ class Faulty(elsie.Behavior):
         assert "'faulty'" in run.stderr and "'r1'" in run.stderr
 
     def test_ctrl_c_ends_a_run_of_this_process(self, place):
-        signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell may have it ignored
         script = place.script("""
 import signal
 class Stop(elsie.Behavior):

@@ -202,10 +202,12 @@ TEST_CASE("All shipped plugins pass the checker") {
                              {{"memory", false}},
                              {{"sequence", {}, {run("low"), run("high")}}, run("high")}}};
       } else if (name == "remote" || name == "arbiter_remote") {
-        options.settings = {{"command",
-                             "python3 -c 'import sys\nfor line in sys.stdin:\n  print(\"{}\" if "
-                             "\"reset\" in line or \"hello\" in line else "
-                             "\"{\\\"forward\\\":0.1}\", flush=True)'"}};
+        options.settings = {{"timeout", 60.0},
+                            {"command",
+                             "while read -r line; do case $line in *'\"time\":'*) echo "
+                             "'{\"forward\":0.1}';; *'\"end\"'*) ;; *) echo '{}';; esac; done"}};
+        options.variants = 5;
+        options.steps = 500;  // each is a question to another process
       } else if (name == "arbiter_learning") {
         options.members = {"low", "high"};
         options.settings = {{"values", folder.file("learned.values")}};
