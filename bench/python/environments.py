@@ -101,7 +101,7 @@ def deciding(behavior):
     """Steps of a robot with eight beams and this behaviour: a decision in each."""
     beams = "".join(f'<beam_range id="b{i}" yaw_deg="{45 * i}"/>' for i in range(8))
     text = f"""<world format="1"><arena length="4" width="4"/><physics engine="planar"/>
-      <robots><robot id="r1"><sensors>{beams}</sensors><behaviors>{behavior}</behaviors>
+      <robots><robot id="r1" battery="1000000000"><sensors>{beams}</sensors><behaviors>{behavior}</behaviors>
         <coordinator><arbiter_suppression/></coordinator></robot></robots><limits time="1000000"/></world>"""
     run = elsie.Simulation(elsie.World.parse(text, plugins=[ORBIT]), watch=False)
     return lambda: run.step(100)
