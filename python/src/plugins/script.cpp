@@ -91,7 +91,7 @@ const Kind& kind_of(const std::string& name) {
 Declaration declaration_of(const py::dict& facts) {
   const auto text = [&](const char* name) { return facts[name].cast<std::string>(); };
   Declaration declaration;
-  const Kind& kind = kind_of(text("kind"));
+  const Kind kind = kind_of(text("kind"));
   declaration.kind = kind.kind;
   declaration.name = text("name");
   declaration.version = text("version");
