@@ -1,7 +1,6 @@
 #include "elsie/plugin/script.h"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -24,15 +23,6 @@ constexpr std::uintmax_t kMostBytes = 4'000'000;
 constexpr std::string_view kBases[] = {"Behavior", "Coordinator", "Sensor",
                                        "Measure",  "Rule",        "Actuator"};
 
-/// "class Orbit(elsie.Behavior):"
-bool declares(std::string_view line) {
-  const std::size_t bases = line.find('(');
-  return line.starts_with("class ") && bases != std::string_view::npos &&
-         std::any_of(std::begin(kBases), std::end(kBases), [&](std::string_view base) {
-           return line.find(base, bases) != std::string_view::npos;
-         });
-}
-
 }  // namespace
 
 bool is_script(const fs::path& file) { return file.extension() == ".py"; }
@@ -40,13 +30,19 @@ bool is_script(const fs::path& file) { return file.extension() == ".py"; }
 bool may_hold_plugins(const fs::path& file) { return file.extension() == ".so" || is_script(file); }
 
 bool declares_plugins(const fs::path& script) {
-  std::istringstream text(base::read_whole(script, kMostBytes));
-  bool names_elsie = false, has_class = false;
-  for (std::string line; std::getline(text, line);) {
-    names_elsie = names_elsie || line.find("elsie") != std::string::npos;
-    has_class = has_class || declares(line);
+  const std::string text = '\n' + base::read_whole(script, kMostBytes);
+  if (text.find("elsie") == text.npos) return false;
+  constexpr std::string_view kClass = "\nclass ";
+  for (std::size_t at = text.find(kClass); at != text.npos; at = text.find(kClass, at + 1)) {
+    // "class Orbit(elsie.Behavior)", perhaps in several lines
+    const std::string_view head = std::string_view(text).substr(at, text.find(':', at) - at);
+    const std::size_t bases = std::min(head.find('('), head.size());
+    if (std::any_of(std::begin(kBases), std::end(kBases),
+                    [&](std::string_view base) { return head.find(base, bases) != head.npos; })) {
+      return true;
+    }
   }
-  return names_elsie && has_class;
+  return false;
 }
 
 LoadedLibrary load_script(const fs::path& file) {

@@ -312,7 +312,7 @@ ElementSpec limits() {
 }
 
 ElementSpec learning() {
-  return Describe<Learning>("learning", "What an agent that learns is told and may do")
+  return Describe<Learning>("learning", "What a learning agent observes and sets")
       .attribute("robots", &Learning::robots, fact("ids of those that learn, or 'all'"))
       .attribute("observe", &Learning::observe, fact("names of what is observed"))
       .attribute("act", &Learning::act, fact("names of what is set"))

@@ -129,9 +129,7 @@ class Robot final : private RobotRequests {
   /// Units, at most the battery's capacity; at 0 the robot stops.
   void set_energy(double units);
   /// See Simulation::set_priority().
-  void set_priority(std::size_t behavior, double priority) {
-    controller_->set_priority(behavior, priority);
-  }
+  void set_priority(std::size_t behavior, double priority);
   /// Takes over attributes of the description that can be changed in place.
   void take_live(bool has_new_drive, bool has_new_energy);
   /// Visits all its plugin objects: sensors, actuators, the drive, the localisation, then

@@ -1,9 +1,12 @@
 // A robot becomes what an edited world describes.
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "elsie/base/number_text.h"
 #include "elsie/world/same.h"
 
 #include "edits/transaction.h"
@@ -136,6 +139,16 @@ void Robot::become_mounted(std::vector<std::shared_ptr<Slot>>& all, const world:
     if (is_known) {
       transaction.note_lost(description_->id, use.id);
     }
+  }
+}
+
+void Robot::set_priority(std::size_t behavior, double priority) {
+  std::size_t index = behavior;
+  if (!std::isfinite(priority) || !controller_->set_priority(index, priority)) {
+    throw std::invalid_argument(
+        "the priority " + base::number_text(priority) + " of behaviour " +
+        std::to_string(behavior) + " of the robot '" + description_->id +
+        "' cannot be set; expected a finite number, and one of its behaviours");
   }
 }
 

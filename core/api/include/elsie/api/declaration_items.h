@@ -414,10 +414,6 @@ void apply(Declaration& declaration, const Plugin&, const Item& item) {
   item(declaration);
 }
 
-}  // namespace detail
-
-namespace detail {
-
 /// Adds an item to an element, whose `make` and `tell` are so far those of the items before.
 template <class Item, bool kNests, class Value>
 void add(ElementItem<Item, kNests>& element, ParameterItem<Item, Value> parameter) {

@@ -258,8 +258,9 @@ class Simulation {
   /// is part of world(). Throws std::invalid_argument when the robot has no such part.
   Component& object(std::size_t robot, const world::PluginUse& use);
   /// Sets the priority of a behaviour, by its index in RobotView::trace, until the next edit of the
-  /// robot or reset(): for learning, where it may change in every step. It must be finite. No
-  /// event, and not part of world(): who wants the run to be repeated makes the edit instead.
+  /// robot or reset(): for learning, where it may change in every step. No event, and not
+  /// part of world(): who wants the run to be repeated makes the edit instead. Throws
+  /// std::invalid_argument if there is no such behaviour, or the number is not finite.
   void set_priority(std::size_t robot, std::size_t behavior, double priority);
   std::size_t sensors(std::size_t robot) const;
   SensorView sensor(std::size_t robot, std::size_t index) const;

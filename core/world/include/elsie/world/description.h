@@ -410,9 +410,8 @@ struct Limits {
   std::optional<double> wall_time;  // s on the clock
 };
 
-/// What an agent that learns is told and may do: for environments in Python (docs/learning.md). A
-/// run is the same with and without it. Names are separated by blanks; empty: the environment's
-/// own.
+/// What a learning agent observes and sets, for environments in Python (docs/learning.md). A run is
+/// the same with and without it. Names are separated by blanks; empty: the environment's own.
 struct Learning {
   std::string robots;   // ids, or "all"
   std::string observe;  // "range.distance_m motion"
