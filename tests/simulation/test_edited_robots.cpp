@@ -1,6 +1,7 @@
 // What robots keep over edits of a running world, and what their coordinators make of them.
 #include <cmath>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -111,6 +112,35 @@ TEST_CASE("Every coordinator takes other behaviours while it runs, or refuses th
       CHECK(other.first == expected);
     }
   }
+}
+
+TEST_CASE("A priority that is set between two steps decides as an edit of it does") {
+  const std::string content =
+      "<robots><robot id=\"r1\"><behaviors><wander id=\"out\"/><blend id=\"nest\"><behaviors>"
+      "<wander/><go_to_point x=\"1\" "
+      "y=\"1\"/></behaviors><coordinator><arbiter_suppression/></coordinator></blend>"
+      "</behaviors><coordinator><arbiter_suppression/></coordinator></robot></robots>";
+  Simulation set = simulation_of(content), edited = simulation_of(content);
+  REQUIRE(members_of(set) ==
+          std::vector<std::string>{"out", "nest", "nest/wander", "nest/go_to_point"});
+  const auto priority = [](const Simulation& simulation, std::size_t behavior) {
+    return simulation.robot(0).trace[behavior].member->priority();
+  };
+  set.set_priority(0, 1, 3.0);
+  set.set_priority(0, 3, 2.5);
+  const std::vector<simulation::Edit> edits{
+      {"robot[r1]/behavior[nest]/@priority", "3"},
+      {"robot[r1]/behavior[nest]/behavior[go_to_point]/@priority", "2.5"}};
+  edited.edit(edits);
+  for (Simulation* simulation : {&set, &edited}) advance(*simulation, 50);
+  CHECK(priority(set, 3) == 2.5);
+  CHECK(set.robot(0).trace[3].member->trace.share == 1.0);
+  CHECK(set.state_hash() == edited.state_hash());
+  CHECK_THROWS_AS(set.set_priority(0, 4, 1.0), std::invalid_argument);
+  CHECK_THROWS_AS(set.set_priority(0, 0, std::nan("")), std::invalid_argument);
+  set.reset();
+  CHECK(priority(set, 1) == 1.0);
+  CHECK(priority(set, 3) == 1.0);
 }
 
 TEST_CASE("A network for the first behaviours of a robot has to be trained") {
