@@ -114,6 +114,8 @@ def _whole(name: str, value: int, most: int = 10**9) -> int:
 
 def _robots_of(world: _elsie.World, robots: Union[None, str, Sequence[str]], is_one: bool) -> list[str]:
     known = list(world.robots)
+    if not known:
+        raise InputError("The world has no robots: nobody can learn in it")
     if robots == "all" and not is_one:
         return known
     if isinstance(robots, str):

@@ -90,6 +90,8 @@ class ParallelEnv(Base, _ParallelEnv):
         setup = self._open
         if not self.agents:
             raise InputError("There are no agents: call reset(), which begins an episode")
+        if not isinstance(actions, Mapping):
+            raise InputError(f"The actions are {actions!r}; expected a dictionary with an action for each agent")
         if set(actions) != set(self.agents):
             raise InputError(f"There are actions of {', '.join(sorted(actions)) or 'nobody'}; expected those of {', '.join(self.agents)}")
         self._actions[:] = 0.0

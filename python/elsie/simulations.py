@@ -325,8 +325,8 @@ class Simulation(_elsie.Simulation, Paths):
 
 
 def _require_seed(seed: int) -> None:
-    if not 0 <= seed < 2**64:
-        raise InputError(f"seed: expected a whole number from 0 to 2**64 - 1, not {seed}")
+    if not isinstance(seed, (int, np.integer)) or not 0 <= seed < 2**64:
+        raise InputError(f"seed: expected a whole number from 0 to 2**64 - 1, not {seed!r}")
 
 
 def _whole(number: int, name: str) -> int:

@@ -720,3 +720,17 @@ def test_spaces_have_gymnasiums_attributes():
     assert box == Box(box.low, box.high, dtype=np.float32)
     assert 1 in Discrete(2) and 2 not in Discrete(2) and 0.5 not in Discrete(2)
     assert MultiDiscrete([2, 3]).sample() in MultiDiscrete([2, 3])
+
+
+@pytest.mark.parametrize("make", [elsie.Env, elsie.ParallelEnv])
+def test_a_world_without_robots_teaches_nobody(make):
+    with pytest.raises(elsie.InputError, match="no robots"):
+        make(elsie.World.parse('<world format="1"/>'))
+
+
+@pytest.mark.parametrize("actions", [None, [0, 0]])
+def test_agents_act_by_their_names(actions):
+    env = elsie.ParallelEnv(parsed(2), steps=10)
+    env.reset(seed=1)
+    with pytest.raises(elsie.InputError, match="expected a dictionary"):
+        env.step(actions)

@@ -93,8 +93,9 @@ def test_a_simulation_needs_a_world():
     for threads in (0, 10**6):
         with pytest.raises(elsie.InputError, match="threads"):
             elsie.Simulation(elsie.World.parse(ARENA), threads=threads)
-    with pytest.raises(elsie.InputError, match="seed"):
-        elsie.Simulation(elsie.World.parse(ARENA), seed=-1)
+    for seed in (-1, "7", None, 1.5):
+        with pytest.raises(elsie.InputError, match="seed: expected a whole number"):
+            elsie.Simulation(elsie.World.parse(ARENA), seed=seed)
     with pytest.raises(elsie.InputError, match="time_limit"):
         elsie.Simulation(elsie.World.parse(ARENA), time_limit=0)
 
