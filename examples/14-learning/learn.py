@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 import elsie
-from curve import draw
 
 Floats = NDArray[np.float64]
 Curve = list[tuple[float, float]]
@@ -70,4 +69,5 @@ if __name__ == "__main__":
     task = {"case1": case1, "foraging": foraging}[sys.argv[1]]
     learned, steps = task(int(sys.argv[2]) if len(sys.argv) > 2 else 10)
     learned.save(f"{task.__name__}_learned.xml")
-    draw(steps, f"{task.__name__}_curve")
+    np.savetxt(f"{task.__name__}_curve.csv", steps, "%.17g", ",", header="mean,best", comments="")
+    elsie.plot(f"{task.__name__}_curve.svg", dict(zip(["mean", "best"], np.array(steps).T)), xlabel="generation", ylabel="earned")

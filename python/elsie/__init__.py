@@ -18,6 +18,7 @@ from elsie.parallel import ParallelEnv
 from elsie.plugins import (Actuator, ActuatorNow, Answer, Behavior, Coordinator, Measure, Member, Motion, Now, Pose, Random, Readings,
                            Response, Rule, Sensor, SensorNow, Sketch, Status, WorldChanges, WorldNow, array, command, message,
                            parameter, published, reading)
+from elsie.plots import plot
 from elsie.registry import make, make_vec
 from elsie.results import Event, Note, Result, RobotResult
 from elsie.simulations import Simulation, same_bits
@@ -30,7 +31,7 @@ __version__: str = _elsie.version
 __all__ = [
     "AutoresetMode", "EditRefused", "Env", "Error", "Event", "Fuzzy", "InputError", "ModelError", "Network", "Note", "ParallelEnv",
     "PhysicsFault", "PluginError", "PluginFault", "Problem", "Result", "Results", "RobotResult", "Simulation", "Training", "Variable",
-    "VectorEnv", "World", "WorldError", "batch", "make", "make_vec", "program", "run", "same_bits",
+    "VectorEnv", "World", "WorldError", "batch", "make", "make_vec", "plot", "program", "run", "same_bits",
     # Of plugins.
     "Actuator", "ActuatorNow", "Answer", "Behavior", "Coordinator", "Measure", "Member", "Motion", "Now", "Pose", "Random", "Readings",
     "Response", "Rule", "Sensor", "SensorNow", "Sketch", "Status", "WorldChanges", "WorldNow", "array", "command", "message",

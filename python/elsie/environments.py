@@ -1,6 +1,6 @@
 """Environments for learning: `Env` for one world, with what all environments share.
 
-    env = elsie.Env("worlds/clutter.xml", observe=["range.distance_m", "motion"], act="motion", steps=10)
+    env = elsie.Env("worlds/maze.xml", observe=["range.distance_m", "motion"], act="motion", steps=10)
     observation, info = env.reset(seed=7)
     observation, reward, terminated, truncated, info = env.step(env.action_space.sample())
     env.save("episode.xml")                  # `elsie run episode.xml --seed 7` makes the same run again

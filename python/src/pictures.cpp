@@ -1,12 +1,15 @@
-// Binds pictures of worlds and runs.
+// Binds pictures of worlds and runs, and charts.
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include "elsie/base/error.h"
+#include "elsie/picture/plot.h"
 #include "elsie/picture/top_view.h"
 #include "elsie/recording/run_picture.h"
 #include "elsie/recording/sensor_pictures.h"
@@ -59,6 +62,25 @@ py::array image_of(Simulation& self, std::size_t robot, const std::string& senso
                        sensor + "'");
 }
 
+/// Curves of as many points as `x` has, by their names.
+void save_chart(const std::string& file, const std::vector<double>& x,
+                const std::vector<std::pair<std::string, std::vector<double>>>& curves,
+                const std::vector<std::string>& labels) {
+  picture::LineChart chart;
+  chart.x.label = labels[0];
+  chart.y.label = labels[1];
+  for (const auto& [name, y] : curves) {
+    picture::Series& series = chart.series.emplace_back();
+    series.name = name;
+    for (std::size_t i = 0; i < x.size(); ++i) series.points.push_back({x[i], y[i]});
+  }
+  picture::Page page;
+  page.title = labels[2];
+  page.rows.emplace_back().panels.emplace_back(std::move(chart));
+  page.rows.back().aspect = 0.5;
+  picture::save_page(page, file);
+}
+
 }  // namespace
 
 void bind_pictures(py::module_& module) {
@@ -80,6 +102,7 @@ void bind_pictures(py::module_& module) {
     return array_of(picture::top_view_image(titled(view_of(self), {}, bare), {width, height}));
   });
   module.def("image_of", &image_of);
+  module.def("save_chart", &save_chart);
 }
 
 }  // namespace elsie::python

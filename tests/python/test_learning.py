@@ -15,8 +15,7 @@ EXAMPLE = Path(__file__).resolve().parents[2] / "examples/14-learning"
 def learn(monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     monkeypatch.syspath_prepend(str(EXAMPLE))
-    for name in ("learn", "curve"):
-        sys.modules.pop(name, None)
+    sys.modules.pop("learn", None)
     module = importlib.import_module("learn")
     monkeypatch.setattr(module, "POPULATION", 6)
     monkeypatch.setattr(module, "ELITE", 2)
@@ -37,14 +36,6 @@ def test_a_seed_learns_the_same_twice_and_the_file_runs(learn, task, tmp_path):
 def test_case_1_is_learned_in_a_few_generations(learn):
     curve = learn.case1(3)[1]
     assert curve[-1][0] > curve[0][0] + 0.5 and curve[-1][1] > 3.4  # all four resources
-
-
-def test_a_curve_is_a_table_and_a_picture(learn, tmp_path):
-    curve = importlib.import_module("curve")
-    curve.draw([(1.0, 2.0), (1.5, 2.5)], "some")
-    assert (tmp_path / "some.csv").read_text() == "generation,mean,best\n1,1.0,2.0\n2,1.5,2.5\n"
-    curve.plain([(1.0, 2.0), (1.5, 2.5)], "plain.svg")
-    assert (tmp_path / "plain.svg").read_text().startswith("<svg") and "polyline" in (tmp_path / "plain.svg").read_text()
 
 
 def test_the_method_is_as_short_as_the_page_says():
