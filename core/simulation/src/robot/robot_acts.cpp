@@ -20,7 +20,9 @@ namespace {
 /// The command that an act gives by its numbers.
 Act made(const Act& act, const Disturbable& actuator) {
   const std::shared_ptr<void> command = actuator.new_value();
-  for (const auto& [name, number] : act.numbers()) {
+  for (const auto& given : act.numbers()) {
+    const std::string& name = given.first;
+    const double number = given.second;
     bool is_set = false;
     std::vector<std::string> names;
     actuator.visit_fields(command.get(), [&](const ReadingField& field) {
