@@ -133,5 +133,5 @@ extern "C" __attribute__((visibility("default"))) void elsie_load_script(
   if (!missing.empty()) return;
   static std::atomic<elsie::plugin::LoadScript> load = nullptr;
   if (!load) load = loader();
-  load(file, script);
+  load.load()(file, script);
 }

@@ -2,6 +2,7 @@
 
 #include <QLineF>
 #include <QPainter>
+#include <QResizeEvent>
 #include <algorithm>
 #include <cmath>
 
