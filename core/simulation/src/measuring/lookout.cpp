@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "elsie/simulation/robot_share.h"
+#include "elsie/simulation/measures.h"
 
 namespace elsie::simulation {
 namespace {

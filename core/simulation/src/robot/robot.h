@@ -71,6 +71,8 @@ class Robot final : private RobotRequests {
   /// objects.
   void reset(std::uint64_t seed);
 
+  /// Has the processor fetch what sense() reads: the slots of the sensors or, later, their objects.
+  void fetch(bool objects) const;
   /// Updates all sensors. Throws PluginFault.
   void sense(const RobotSurroundings& surroundings, const Instant& now);
   /// Asks the coordinator. Its command is then in asked(), the motion of the drive in command(),

@@ -21,22 +21,20 @@ namespace {
 Act made(const Act& act, const Disturbable& actuator) {
   const std::shared_ptr<void> command = actuator.new_value();
   for (const auto& given : act.numbers()) {
-    const std::string& name = given.first;
-    const double number = given.second;
     bool is_set = false;
     std::vector<std::string> names;
     actuator.visit_fields(command.get(), [&](const ReadingField& field) {
       for (std::size_t i = 0; field.is_stored && field.is_number() && i < field.count; ++i) {
         names.push_back("'" + field.column(i) + "'");
-        if (field.column(i) != name) continue;
-        field.set_number(i, number);
+        if (field.column(i) != given.first) continue;
+        field.set_number(i, given.second);
         is_set = true;
       }
     });
     if (!is_set) {
-      throw base::Error("it gives a command with the number '" + name + "' to an actuator that " +
-                        "takes commands of '" + actuator.kind().name + "', which have " +
-                        (names.empty() ? "no numbers" : base::joined(names)));
+      throw base::Error("it gives a command with the number '" + given.first +
+                        "' to an actuator that " + "takes commands of '" + actuator.kind().name +
+                        "', which have " + (names.empty() ? "no numbers" : base::joined(names)));
     }
   }
   return {act.actuator(), actuator.kind(), command};

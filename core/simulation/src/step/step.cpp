@@ -76,6 +76,10 @@ void Simulation::Impl::control(double period_s) {
   // The other robots perceive what a robot decides and does now only in the next step.
   loop_.each(robots_, [&](std::size_t i, std::size_t thread) {
     Robot& robot = *robots_[i];
+    if (i + 2 < robots_.size()) {  // their memory comes while this one decides
+      robots_[i + 2]->fetch(false);
+      robots_[i + 1]->fetch(true);
+    }
     const RobotSurroundings surroundings(*engine_, *things_, *fields_, robots_, *neighbours_, i,
                                          memory_[thread]);
     robot.sense(surroundings, now);

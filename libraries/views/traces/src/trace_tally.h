@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "elsie/simulation/robot_share.h"
+#include "elsie/simulation/measures.h"
 #include "elsie/traces/trace.h"
 #include "elsie/traces/trace_account.h"
 
