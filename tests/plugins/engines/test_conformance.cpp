@@ -242,6 +242,33 @@ TEST_CASE("At rest, nothing creeps") {
   CHECK(context.engine->robot(robot).frame.up.z == Approx(1.0));
 }
 
+TEST_CASE("A long box that stands askew is in the way at each corner") {
+  const std::string engine = each_engine();
+  const double heading_deg = GENERATE(30.0, 75.0, 120.0);
+  CAPTURE(engine, heading_deg);
+  PhysicsContext context(with(engine), open_field());
+  const double length = 6.0, width = 3.0;
+  const std::size_t box =
+      context.obstacle(ObstacleKind::fixed, 0.0, 0.0, {length, width, 0.3}, heading_deg);
+  for (const double side : {-1.0, 1.0}) {
+    for (const double end : {-1.0, 1.0}) {
+      // Just inside of the corner, coming from outside along the long side.
+      const Vector2 from = point_of({0.0, 0.0, radians(heading_deg)},
+                                    {end * (0.5 * length + 0.4), side * (0.5 * width - 0.05)});
+      const std::size_t robot =
+          context.robot(from.x, from.y, heading_deg + (end > 0.0 ? 180.0 : 0.0));
+      context.drive(robot, {10.0, 10.0});
+    }
+  }
+  std::vector<bool> met(4, false);
+  context.run(5.0, [&] {
+    for (std::size_t i = 0; i < met.size(); ++i) {
+      met[i] = met[i] || context.touching(robot_body(i), box_body(box));
+    }
+  });
+  CHECK(met == std::vector<bool>(4, true));
+}
+
 // A body may stop at a surface and bounce in a later step, so that its energy is away for a while.
 TEST_CASE("Energy never comes from bouncing in a pile") {
   const std::string engine = each_engine();
