@@ -112,6 +112,30 @@ TEST_CASE("A run for which the typed world has no room stays, and so does its te
   CHECK(session.ask({{"do", "reset"}})["text"] == kRoom);
 }
 
+TEST_CASE("What a run refuses is a sentence about the world, without the edits") {
+  Session session;
+  session.open(R"(<world format="1">
+  <arena length="4" width="4"/>
+  <obstacles><static_box id="crate" x="1" y="1"/></obstacles>
+  <robots><robot id="r1" x="-1"/></robots>
+</world>
+)");
+  session.step();
+  const auto refusal = [](const Json& answer) {
+    REQUIRE(answer.contains("refused"));
+    return answer["refused"][0]["message"].get<std::string>();
+  };
+  const Json text = session.edit({"robot[r1]/@x=0"})["text"];
+  std::string other = text.get<std::string>();
+  other.replace(other.find(" y=\"1\""), 6, "");
+  other.insert(other.find("<arena"), "<physics engine=\"planar\"/>");
+  CHECK_THAT(refusal(session.ask({{"do", "become"}, {"text", other}})),
+             Catch::StartsWith("The run cannot set engine of physics to planar and take y away "
+                               "from crate: one engine cannot"));
+  CHECK_THAT(refusal(session.edit({"obstacle[+]=<static_box/>"})),
+             Catch::EndsWith("overlaps the box 'static_box_2'"));
+}
+
 TEST_CASE("A run that is under way goes back to its earlier texts") {
   Session session;
   session.open(kRoom);

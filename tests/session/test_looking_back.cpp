@@ -19,6 +19,11 @@ float x_of_first(Session& session) {
   return snapshot->bodies[0].origin[0];
 }
 
+void run_to(Session& session, double time_s) {
+  session.ask({{"do", "run"}, {"until_s", time_s}});
+  session.event("paused");
+}
+
 constexpr const char* kDriver = R"(<world format="1">
   <robots>
     <robot id="r1" x="-1">
@@ -69,6 +74,53 @@ TEST_CASE("Looking back changes nothing, and a run that goes on cannot be looked
   const test::Workplace place;
   place.write("driver.xml", kDriver);
   CHECK(session.end_of_run()["state_hash"] == hash_of_run(place, "driver.xml"));
+}
+
+TEST_CASE("Looking back tells the numbers of that time, of the robots that are asked for") {
+  Session session;
+  session.open(kDriver);
+  session.edit({kSecond});
+  run_to(session, 1.0);
+  const auto numbers = [&](double time_s) {
+    return session.ask({{"do", "at"}, {"time_s", time_s}, {"robots", {"r1"}}})["numbers"];
+  };
+  const Json then = numbers(0.5), later = numbers(0.9);
+  CHECK(then["r1/distance"].get<double>() > 0.0);
+  CHECK(then["r1/distance"] < later["r1/distance"]);
+  CHECK(then["r1/go_to_point/share"] == 1.0);
+  CHECK_FALSE(then.contains("r2/distance"));
+  CHECK(at(session, 0.5)["numbers"].empty());
+  const Json start = numbers(0.0);
+  CHECK(start["r1/distance"] == 0.0);
+  CHECK_FALSE(start.contains("r1/go_to_point/share"));  // nothing was decided yet
+}
+
+TEST_CASE("Pictures, messages and reasons of a time are there if they were watched then") {
+  Session session;
+  const std::string world = "worlds/find_resource.xml";
+  session.open(text_of(world), test::source_path(world));
+  const auto watch = [&](const std::vector<std::string>& what) {
+    session.ask({{"do", "watch"}, {"what", what}});
+  };
+  watch({"cameras", "sensors", "decisions"});
+  run_to(session, 0.5);
+  const Json seen = session.latest("state")["robots"][0];
+  run_to(session, 1.0);
+  watch({});
+  run_to(session, 2.0);
+
+  const Json look = at(session, 0.5)["look"];
+  REQUIRE(look.is_object());
+  CHECK(look["time_s"].get<double>() == Approx(0.5));
+  const Json& robot = look["robots"][0];
+  CHECK(robot["cameras"] == seen["cameras"]);
+  CHECK(robot["cameras"][0]["pictures"].size() == 2);
+  CHECK(robot["heard"] == seen["heard"]);
+  for (const Json& member : seen["members"]) {
+    CHECK(robot["reasons"].value(member["path"].get<std::string>(), "") == member["reason"]);
+  }
+  CHECK_FALSE(robot.contains("members"));  // they are among the numbers
+  CHECK_FALSE(at(session, 1.5).contains("look"));
 }
 
 TEST_CASE("What an edit has added was not there before") {

@@ -5,6 +5,7 @@
 #include "elsie/base/error.h"
 #include "elsie/base/number_text.h"
 #include "elsie/editing/between.h"
+#include "elsie/simulation/edit.h"
 #include "elsie/world/error.h"
 #include "elsie/world/markup.h"
 #include "elsie/world/tree.h"
@@ -12,6 +13,7 @@
 #include "described.h"
 #include "scene.h"
 #include "server_impl.h"
+#include "words.h"
 
 namespace elsie::server {
 namespace {
@@ -85,7 +87,15 @@ void Server::Impl::edit(const Json& message, Json& answer) {
   const auto edits = message.at("edits").get<std::vector<std::string>>();
   // Objects of a run that is under way keep their names.
   const auto names = phase_ == Phase::under_way ? editing::Names::all : editing::Names::used;
-  change([&] { document_->apply(edits, names); }, edits, answer);
+  try {
+    change([&] { document_->apply(edits, names); }, edits, answer);
+  } catch (const base::FileError& error) {
+    std::vector<base::Problem> problems = error.problems();
+    for (base::Problem& each : problems) {
+      each.message = without_edits(std::move(each.message), edits);
+    }
+    throw base::FileError(std::move(problems));
+  }
 }
 
 void Server::Impl::become(const Json& message, Json& answer) {
@@ -172,7 +182,11 @@ void Server::Impl::change_run(const std::vector<std::string>& edits_there,
                          " s, but the run is at " + base::number_text(simulation_->time_s(), 9) +
                          " s already; expected a later time");
   }
-  simulation_->edit(edits_of(edits_there));
+  try {
+    simulation_->edit(edits_of(edits_there));
+  } catch (const simulation::EditRefused& refused) {
+    throw base::BadInput(refusal_in_words(refused.what(), edits_there));
+  }
   ++epoch_;
   past_.replaced(*simulation_);
   marks_.forget_failures();

@@ -279,8 +279,11 @@ void Numbers::add_further(const Simulation& simulation, bool with_measures, bool
   for (std::size_t i = 0; with_fuzzy && i < simulation.robots(); ++i) {
     std::vector<simulation::MadeInference> all;
     succeeds({i, kNoSensor}, [&] { all = simulation.inferences(i); });
+    std::map<std::string_view, int> counts;  // a behaviour may have several
     for (const simulation::MadeInference& made : all) {
-      const std::string prefix = simulation.robot(i).description->id + '/' + made.path + '/';
+      const int count = ++counts[made.path];
+      const std::string prefix = simulation.robot(i).description->id + '/' + made.path +
+                                 (count > 1 ? " (" + std::to_string(count) + ")/" : "/");
       for (const Inference::Value& each : made.inference.inputs) {
         put(prefix + "inputs/" + each.name, each.value);
       }

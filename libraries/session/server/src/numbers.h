@@ -60,6 +60,8 @@ class Numbers {
   double period_s() const { return samples_.period_s(); }
   std::size_t size() const { return samples_.all().size(); }
   std::span<const Sample> after(double time_s) const { return samples_.after(time_s); }
+  /// The last sample until that time; null if there is none.
+  const Sample* until(double time_s) const { return samples_.until(time_s); }
   /// The present names, and the number of this list, which changes with it.
   const std::vector<std::string>& names() const { return names_->names(); }
   std::uint64_t layout() const { return layout_; }

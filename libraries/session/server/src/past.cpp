@@ -1,6 +1,7 @@
 #include "past.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <unordered_set>
 #include <utility>
@@ -42,19 +43,16 @@ void Past::begin(const simulation::Simulation& simulation) {
   const double period_s = period_of_past(simulation.world().physics.step);
   poses_.begin(body_names(simulation.world()), period_s);
   numbers_.begin(simulation, period_s);
+  looks_.begin(period_s);
   placed_.clear();
   events_ = simulation.events().size();
   keep(simulation);
 }
 
-void Past::watch(bool measures, bool fuzzy) {
-  with_measures_ = measures;
-  with_fuzzy_ = fuzzy;
-}
-
 void Past::keep(const simulation::Simulation& simulation) {
   keep_poses(simulation);
   keep_numbers(simulation);
+  keep_look(simulation);
 }
 
 void Past::keep_poses(const simulation::Simulation& simulation) {
@@ -63,7 +61,11 @@ void Past::keep_poses(const simulation::Simulation& simulation) {
 }
 
 void Past::keep_numbers(const simulation::Simulation& simulation) {
-  numbers_.add(simulation, with_measures_, with_fuzzy_);
+  numbers_.add(simulation, watching_.watches("measures"), watching_.watches("fuzzy"));
+}
+
+void Past::keep_look(const simulation::Simulation& simulation) {
+  looks_.add(simulation.time_s(), watching_.look(simulation));
 }
 
 void Past::started(const simulation::Simulation& simulation) {
@@ -81,6 +83,9 @@ void Past::stepped(const simulation::Simulation& simulation) {
   }
   if (numbers_.is_due(simulation.time_s())) {
     keep_numbers(simulation);
+  }
+  if (looks_.is_due(simulation.time_s())) {
+    keep_look(simulation);
   }
 }
 
@@ -165,6 +170,21 @@ void Past::tell_numbers(const Request& request, Json& answer) const {
   }
   answer["names"] = std::move(names);
   answer["units"] = std::move(units);
+}
+
+void Past::tell_instant(double time_s, const std::vector<std::string>& robots, Json& answer) const {
+  const Robots wanted(robots.begin(), robots.end());
+  Json& numbers = answer["numbers"] = Json::object();
+  if (const Numbers::Sample* const then = numbers_.until(time_s)) {
+    const std::vector<std::string>& names = then->names->names();
+    for (std::size_t i = 0; i < then->values.size(); ++i) {
+      const std::string_view robot = std::string_view(names[i]).substr(0, names[i].find('/'));
+      if (wanted.contains(robot) && std::isfinite(then->values[i])) {
+        numbers[names[i]] = then->values[i];
+      }
+    }
+  }
+  if (Json look = looks_.at(time_s); !look.is_null()) answer["look"] = std::move(look);
 }
 
 }  // namespace elsie::server

@@ -1,5 +1,6 @@
 // The stored past of a run: the poses of all bodies and the numbers of all robots at regular
-// simulated times, whatever a window shows, and the orders that ask for them.
+// simulated times, whatever a window shows, what it shows besides, and the orders that ask for
+// them.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,9 @@
 
 #include "history.h"
 #include "link.h"
+#include "looks.h"
 #include "numbers.h"
+#include "watching.h"
 
 namespace elsie::server {
 
@@ -26,11 +29,12 @@ class Past final : public simulation::Observer {
     std::uint64_t layout = 0;  // the list of names that the window has
   };
 
+  /// Measures, the values of fuzzy models, and all that is no number cost more than the rest: they
+  /// are stored only while they are watched.
+  explicit Past(const Watching& watching) : watching_(watching) {}
+
   /// Begins a new run, at time zero.
   void begin(const simulation::Simulation& simulation);
-  /// Whether to store measures, and the values of fuzzy models, from now on. They cost more than
-  /// the others, so that they are stored only while they are watched.
-  void watch(bool measures, bool fuzzy);
   /// Stores the present state as the last one of the run.
   void keep(const simulation::Simulation& simulation);
   /// The history of poses.
@@ -41,6 +45,9 @@ class Past final : public simulation::Observer {
   std::vector<simulation::Note> take_notes() { return numbers_.take_notes(); }
   /// Adds the next samples to an answer, at most about a hundred thousand numbers.
   void tell(const Request& request, Json& answer) const;
+  /// Adds what is stored of a time: the `numbers` of these robots, by name, and the `look`, if
+  /// there is one.
+  void tell_instant(double time_s, const std::vector<std::string>& robots, Json& answer) const;
 
   void started(const simulation::Simulation& simulation) override;
   void stepped(const simulation::Simulation& simulation) override;
@@ -55,16 +62,17 @@ class Past final : public simulation::Observer {
 
   void keep_poses(const simulation::Simulation& simulation);
   void keep_numbers(const simulation::Simulation& simulation);
+  void keep_look(const simulation::Simulation& simulation);
   void tell_paths(const Request& request, Json& answer) const;
   void tell_numbers(const Request& request, Json& answer) const;
 
+  const Watching& watching_;
   History poses_;
   Numbers numbers_;
+  Looks looks_;
   std::vector<Placed> placed_;  // ascending in time
   std::size_t events_ = 0;      // seen of the run
   std::vector<snapshots::BodyState> bodies_;
-  bool with_measures_ = false;
-  bool with_fuzzy_ = false;
 };
 
 }  // namespace elsie::server

@@ -34,7 +34,6 @@ void Server::Impl::show() {
 
 void Server::Impl::watch(const Json& message, Json&) {
   watching_.choose(message);
-  past_.watch(watching_.watches("measures"), watching_.watches("fuzzy"));
   is_state_due_ = watching_.is_on() && simulation_;
 }
 
@@ -49,6 +48,7 @@ void Server::Impl::look_back(const Json& message, Json& answer) {
     const History::Sample sample = past_.poses().at(message["time_s"].get<double>());
     time_s = sample.time_s;
     writer_.write({epoch_, sample.steps, time_s}, sample.bodies, {});
+    past_.tell_instant(time_s, message.value("robots", std::vector<std::string>()), answer);
   } else {
     show();
   }

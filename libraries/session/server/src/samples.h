@@ -123,6 +123,12 @@ class Samples {
                          [](double time, const Sample& sample) { return time < sample.time_s; });
     return {first, samples_.end()};
   }
+  /// The last sample until that time; null if there is none.
+  const Sample* until(double time_s) const {
+    const std::span<const Sample> later = after(time_s);
+    const std::size_t earlier = samples_.size() - later.size();
+    return earlier > 0 ? &samples_[earlier - 1] : nullptr;
+  }
 
  private:
   /// The bytes of the names of a sample that the sample before this place does not have.

@@ -175,7 +175,7 @@ class Server::Impl {
   Watching watching_;
   bool is_state_due_ = false;  // the shown state has changed while nothing runs
   std::size_t told_events_ = 0, told_notes_ = 0;
-  Past past_;
+  Past past_{watching_};
   Recording recording_;
   Repetition repetition_;
   std::string run_file_;  // the document's when the run began

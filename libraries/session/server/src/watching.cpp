@@ -57,6 +57,16 @@ Json members_json(const RobotView& robot) {
   return members;
 }
 
+/// By the paths of the behaviours that were asked.
+Json reasons_json(const RobotView& robot) {
+  Json reasons = Json::object();
+  for (const TracedMember& member : robot.trace) {
+    const TraceRow& row = member.member->trace;
+    if (row.asked) reasons[member.path] = files::one_line(row.reason);
+  }
+  return reasons;
+}
+
 /// "distance_m", or "blobs.2.distance" in a list.
 std::string name_of(const ReadingField& field) {
   std::string name(field.group);
@@ -212,6 +222,24 @@ void Watching::choose(const Json& order) {
   robots_ = {robots.begin(), robots.end()};
 }
 
+bool Watching::shows(const Simulation& simulation, std::size_t index) const {
+  return robots_.empty() || robots_.contains(simulation.robot(index).description->id);
+}
+
+Json Watching::look(const Simulation& simulation) const {
+  if (!watches("cameras") && !watches("sensors") && !watches("decisions")) return {};
+  Json robots = Json::array();
+  for (std::size_t i = 0; i < simulation.robots(); ++i) {
+    if (!shows(simulation, i)) continue;
+    const RobotView view = simulation.robot(i);
+    Json& robot = robots.emplace_back(Json{{"id", view.description->id}});
+    if (watches("cameras")) robot["cameras"] = cameras_json(simulation, i);
+    if (watches("sensors")) robot["heard"] = heard_json(simulation, i);
+    if (watches("decisions")) robot["reasons"] = reasons_json(view);
+  }
+  return {{"time_s", simulation.time_s()}, {"robots", std::move(robots)}};
+}
+
 Json Watching::robot(const Simulation& simulation, std::size_t index) const {
   const RobotView view = simulation.robot(index);
   const world::Robot& description = *view.description;
@@ -247,9 +275,7 @@ Json Watching::robot(const Simulation& simulation, std::size_t index) const {
 Json Watching::state(const Simulation& simulation, std::uint64_t epoch) const {
   Json robots = Json::array();
   for (std::size_t i = 0; i < simulation.robots(); ++i) {
-    if (robots_.empty() || robots_.contains(simulation.robot(i).description->id)) {
-      robots.push_back(robot(simulation, i));
-    }
+    if (shows(simulation, i)) robots.push_back(robot(simulation, i));
   }
   Json state = {{"event", "state"},
                 {"epoch", epoch},

@@ -21,8 +21,13 @@ class Watching {
 
   /// The event `state`. Does not change the simulation. Throws simulation::PluginFault.
   Json state(const simulation::Simulation& simulation, std::uint64_t epoch) const;
+  /// Of what is watched, what is no number: for each robot the pictures of its cameras, the
+  /// messages that it heard, and the reasons of its behaviours, as in a state. Null if none of it
+  /// is watched.
+  Json look(const simulation::Simulation& simulation) const;
 
  private:
+  bool shows(const simulation::Simulation& simulation, std::size_t index) const;
   Json robot(const simulation::Simulation& simulation, std::size_t index) const;
 
   std::set<std::string, std::less<>> what_;

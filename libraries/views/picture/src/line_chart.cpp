@@ -168,7 +168,19 @@ double names_height(const LineChart& chart, const std::vector<Name>& names) {
   return rows_of(names) * (chart.naming == Naming::legend ? kLegendRow : kNameRow) + 6;
 }
 
+Rect plot_in(const Surroundings& around, const Rect& area, double head) {
+  return {area.x + around.left, area.y + head, around.width,
+          std::max(10.0, area.height - head - around.below - around.rows)};
+}
+
 }  // namespace
+
+Interval place_plot(const Canvas& canvas, const LineChart& values, const Rect& area, double head,
+                    Rect& plot) {
+  const Surroundings around = surroundings(canvas, in_exponents(values), area.width);
+  plot = plot_in(around, area, head);
+  return around.x_range;
+}
 
 LineChart in_exponents(LineChart chart) {
   const auto convert = [&](Axis& axis, double Vector2::*coordinate) {
@@ -198,8 +210,7 @@ double head_height(const Canvas& canvas, const LineChart& values, double width) 
 void draw(Canvas& canvas, const LineChart& values, const Rect& area, double head) {
   const LineChart chart = in_exponents(values);
   const Surroundings around = surroundings(canvas, chart, area.width);
-  const Rect plot{area.x + around.left, area.y + head, around.width,
-                  std::max(10.0, area.height - head - around.below - around.rows)};
+  const Rect plot = plot_in(around, area, head);
   draw_axes(canvas, plot, chart.x, around.x_range, chart.y, around.y_range);
   draw_series(canvas, chart, map_to(plot, around.x_range, around.y_range), plot);
   if (!chart.rows.empty()) draw_rows(canvas, chart, around, plot, area.x);

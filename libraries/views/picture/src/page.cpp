@@ -187,13 +187,30 @@ std::string page_chart(const Panel& panel, const std::string& label, const Size&
   return canvas.finish(label);
 }
 
+namespace {
+
+Rect area_on_screen(int width, int height, double zoom) {
+  // The last number of an axis reaches beyond its end.
+  constexpr double kAbove = 3.0, kBeside = 18.0;
+  return {0.0, kAbove, width / zoom - kBeside, height / zoom - kAbove};
+}
+
+}  // namespace
+
+PlotPlace screen_plot(const LineChart& chart, int width, int height, double zoom) {
+  check_panel(chart);
+  const Canvas canvas(FileType::png, 1, 1, zoom);  // to measure texts
+  const Rect area = area_on_screen(width, height, zoom);
+  Rect plot;
+  const Interval x = place_plot(canvas, chart, area, head_height(canvas, chart, area.width), plot);
+  return {{zoom * plot.x, zoom * plot.right()}, {zoom * plot.y, zoom * plot.bottom()}, x};
+}
+
 std::vector<std::uint32_t> screen_chart(const Panel& panel, int width, int height, double zoom,
                                         const Style& style) {
   check_panel(panel);
   Canvas canvas(FileType::png, width, height, zoom, style);
-  // The last number of an axis reaches beyond its end.
-  constexpr double kAbove = 3.0, kBeside = 18.0;
-  const Rect area{0.0, kAbove, width / zoom - kBeside, height / zoom - kAbove};
+  const Rect area = area_on_screen(width, height, zoom);
   std::visit(
       [&](const auto& shown) { draw(canvas, shown, area, head_height(canvas, shown, area.width)); },
       panel);

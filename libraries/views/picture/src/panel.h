@@ -34,6 +34,9 @@ double head_height(const Canvas&, const FieldPanel& panel, double) {
 
 /// `head` is at least head_height(): the largest in the row, so that plots line up.
 void draw(Canvas& canvas, const LineChart& chart, const Rect& area, double head);
+/// The plot of a line chart that is drawn there; returns the values of its x axis.
+Interval place_plot(const Canvas& canvas, const LineChart& chart, const Rect& area, double head,
+                    Rect& plot);
 void draw(Canvas& canvas, const HeatMap& map, const Rect& area, double head);
 void draw(Canvas& canvas, const Mesh& mesh, const Rect& area, double head);
 void draw(Canvas& canvas, const Tiles& tiles, const Rect& area, double head);

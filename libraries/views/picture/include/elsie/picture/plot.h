@@ -203,4 +203,13 @@ using Style = std::map<std::string, Colour, std::less<>>;
 std::vector<std::uint32_t> screen_chart(const Panel& panel, int width, int height, double zoom,
                                         const Style& style);
 
+/// Where screen_chart() puts the plot of a line chart, between its axes: in pixels from the left
+/// and from the top, and the values at its left and right edge (exponents of ten of a logarithmic
+/// axis).
+struct PlotPlace {
+  Interval across{}, down{};
+  Interval x{};
+};
+PlotPlace screen_plot(const LineChart& chart, int width, int height, double zoom);
+
 }  // namespace elsie::picture
