@@ -48,7 +48,8 @@ ControlBar::ControlBar(Workbench& workbench, QWidget* parent)
     row->addWidget(made);
     return made;
   };
-  run_ = button("run", tr("\u25b6 Start"), tr("Start or continue the run (F5)"));
+  run_ = button("run", tr("\u25b6 Start"),
+                tr("Start or continue the run; after its end, start it again (F5)"));
   const QString wider = tr("\u2759\u2759 Pause");  // so that the buttons next to it do not move
   const QString start = run_->text();
   run_->setText(wider);
@@ -110,8 +111,7 @@ void ControlBar::show_state() {
   const Workbench::Run run = workbench_.run_state();
   const bool is_running = run == Workbench::Run::running || past_ == Past::plays;
   run_->setText(is_running ? tr("\u2759\u2759 Pause") : tr("\u25b6 Start"));
-  run_->setEnabled(is_running || past_ != Past::none || run == Workbench::Run::ready ||
-                   run == Workbench::Run::paused);
+  run_->setEnabled(is_running || past_ != Past::none || run != Workbench::Run::none);
   step_->setEnabled(run == Workbench::Run::ready || run == Workbench::Run::paused);
   reset_->setEnabled(run != Workbench::Run::none);
   if (speed_->findData(workbench_.speed()) < 0) {
@@ -186,6 +186,10 @@ void TimeLine::show_now() {
                       : tr("%1 s").arg(shown_s_, 0, 'f', 2));
   now_->setEnabled(is_in_the_past_);
   update();
+  if (!is_in_the_past_ && instant_) {
+    instant_.reset();
+    Q_EMIT instant_changed();
+  }
   if (std::exchange(was_in_the_past_, is_in_the_past_) != is_in_the_past_) {
     Q_EMIT past_changed();
   }
@@ -234,15 +238,35 @@ void TimeLine::show_past(double time_s) {
     workbench_.pause();
   }
   is_in_the_past_ = true;
-  workbench_.ask({{"do", "at"}, {"time_s", wanted}}, [this](const Json& answer) {
-    if (answer.contains("refused")) {
-      stop_playing();  // there is no past to play
-      is_in_the_past_ = false;
-    } else {
-      until_s_ = answer.value("to_s", until_s_);  // the run continued until it received the pause
+  ask_for(wanted);
+}
+
+void TimeLine::ask_for(double time_s) {
+  workbench_.ask({{"do", "at"}, {"time_s", time_s}, {"robots", list_of(robots_)}},
+                 [this](const Json& answer) { take(answer); });
+}
+
+void TimeLine::take(const Json& answer) {
+  if (answer.contains("refused")) {
+    stop_playing();  // there is no past to play
+    is_in_the_past_ = false;
+  } else if (is_in_the_past_) {
+    until_s_ = answer.value("to_s", until_s_);  // the run continued until it received the pause
+    const double time_s = answer.value("time_s", until_s_);
+    if (time_s >= until_s_ && !is_playing()) {
+      go_to_now();
+      return;
     }
-    show_now();
-  });
+    instant_ = {time_s, member(answer, "numbers"), member(answer, "look")};
+    Q_EMIT instant_changed();
+  }
+  show_now();
+}
+
+void TimeLine::set_robots(const QStringList& robots) {
+  if (robots != std::exchange(robots_, robots) && is_in_the_past_) {
+    ask_for(asked_s_);
+  }
 }
 
 void TimeLine::go_to_now() {

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QStringList>
 #include <QTimer>
 #include <QWidget>
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
+
+#include "engine/past.h"
 
 class QComboBox;
 class QLabel;
@@ -65,6 +69,10 @@ class TimeLine : public QWidget {
   using Marks = std::vector<std::pair<double, QString>>;
   void expect(Marks events, double until_s);
   bool is_in_the_past() const { return is_in_the_past_; }
+  /// The robots whose stored numbers instant() has.
+  void set_robots(const QStringList& robots);
+  /// What is stored of the shown time; null while the present is shown, and before it has come.
+  const Instant* instant() const { return instant_ ? &*instant_ : nullptr; }
   /// Shows that time of the past, or runs on to that time.
   void go_to(double time_s);
   void go_to_now();
@@ -83,6 +91,7 @@ class TimeLine : public QWidget {
 
  Q_SIGNALS:
   void past_changed();  // is_in_the_past() or is_playing() has changed
+  void instant_changed();
   void has_caught_up();
 
  protected:
@@ -96,9 +105,13 @@ class TimeLine : public QWidget {
   double time_at(double x) const;  // s; `x` in the widget
   double span_s() const { return std::max(until_s_, ahead_until_s_); }
   void show_past(double time_s);
+  void ask_for(double time_s);
+  void take(const Json& answer);
   void play_on();
 
   Workbench& workbench_;
+  QStringList robots_;
+  std::optional<Instant> instant_;
   QSlider* slider_;
   QLabel* label_;
   QToolButton* now_;

@@ -72,6 +72,7 @@ class MainWindow : public QMainWindow {
  protected:
   void closeEvent(QCloseEvent* event) override;
   void showEvent(QShowEvent* event) override;
+  void changeEvent(QEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -139,6 +140,10 @@ class MainWindow : public QMainWindow {
   /// Likewise for the stored past.
   void request_past();
   void show_looked_back();
+  /// Shows what is stored of the shown time.
+  void show_instant();
+  /// Shows weights, speed and energy in trees and Properties.
+  void show_values(const Json& state);
   void watch_robot(const QString& id);
   void enter_what_is_typed();
   /// Whether a problem's file is the text of the world.

@@ -406,8 +406,8 @@ void MainWindow::show_keys() {
       "<table>" + rows.join("") + "</table>" +
       tr("<p>In the view: the left button orbits, the right one pans, the wheel zooms; a "
          "click selects, with Shift several; a right click edits. "
-         "Ctrl and a button always move the camera. Handles move, turn and resize; Ctrl "
-         "snaps, Shift refines. "
+         "Ctrl and a button always move the camera. Dragging the selected object moves it, its "
+         "handles turn and resize it; Ctrl snaps, Shift refines. "
          "Arrow keys move the selection, with Shift by 1 cm. Space runs and pauses. G moves, R "
          "turns, S resizes: "
          "then X or Y, a number (m, degrees, a factor), and Enter; or the mouse.</p>"

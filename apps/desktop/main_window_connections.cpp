@@ -78,10 +78,7 @@ void MainWindow::connect_workbench() {
     if (seen_.contains(docks_.sensors)) sensors_->add(state);
     if (seen_.contains(docks_.graph)) graph_->add(state);
     if (seen_.contains(docks_.coordination) || seen_.contains(docks_.graph)) request_past();
-    for (WorldTree* each : findChildren<WorldTree*>()) {
-      if (each->isVisible()) each->show_weights(state);
-    }
-    properties_->show_state(state);
+    if (!time_line_->is_in_the_past()) show_values(state);
     scene_->take_state(state);
   });
   connect(&workbench_, &Workbench::snapshot, this, [this](const snapshots::Snapshot& snapshot) {
@@ -169,6 +166,9 @@ void MainWindow::connect_views() {
   connect(authoring_, &Authoring::called_otherwise, properties_, &Properties::rename);
   connect(scene_, &SceneView::run_wished, this, &MainWindow::run_or_pause);
   connect(time_line_, &TimeLine::past_changed, this, &MainWindow::show_past);
+  connect(time_line_, &TimeLine::instant_changed, this, &MainWindow::show_instant);
+  connect(plots_, &PlotsPanel::time_wished, time_line_, &TimeLine::go_to);
+  connect(coordination_, &CoordinationPanel::time_wished, time_line_, &TimeLine::go_to);
   connect(time_line_, &TimeLine::has_caught_up, this, [this] {
     if (workbench_.run_state() == Workbench::Run::paused && !workbench_.is_at_halt()) {
       workbench_.run();
@@ -365,11 +365,33 @@ void MainWindow::request_past() {
   past_->request_numbers(numbers, plottable_);
 }
 
+void MainWindow::show_values(const Json& state) {
+  for (WorldTree* each : findChildren<WorldTree*>()) {
+    if (each->isVisible()) each->show_weights(state);
+  }
+  properties_->show_state(state);
+}
+
 void MainWindow::show_looked_back() {
   const auto time_s =
       time_line_->is_in_the_past() ? std::optional(workbench_.time_s()) : std::nullopt;
   coordination_->look_back(time_s);
   graph_->look_back(time_s);
+  plots_->look_back(time_s);
+}
+
+void MainWindow::show_instant() {
+  const Instant* const then = time_line_->instant();
+  coordination_->set_look(then);
+  sensors_->look_back(then);
+  fuzzy_->look_back(then);
+  vision_->look_back(then);
+  if (then) {
+    show_values(then->state_of(watched_robot_));
+  } else {
+    properties_->form().clear_live();
+    show_pose();
+  }
 }
 
 void MainWindow::watch_robot(const QString& id) {
@@ -381,6 +403,9 @@ void MainWindow::watch_robot(const QString& id) {
     fuzzy_->set_robot(id);
     sensors_->set_robot(id);
     graph_->set_robot(id);
+    time_line_->set_robots({id});
+    show_looked_back();
+    show_instant();
   }
 }
 

@@ -170,6 +170,7 @@ void MainWindow::connect_tree(WorldTree* tree, const QString& team) {
             : authoring_->add_element(holder, list, {{}, list == "robots" ? team : QString(), {}});
       });
   connect(tree, &WorldTree::menu_wished, authoring_, &Authoring::open_menu);
+  connect(tree, &WorldTree::list_menu_wished, authoring_, &Authoring::open_list_menu);
   tree->addActions({actions_.remove, actions_.cut, actions_.copy, actions_.paste});
 }
 
@@ -237,6 +238,16 @@ void MainWindow::showEvent(QShowEvent* event) {
     was_shown_ = true;
     for (QDockWidget* each : findChildren<QDockWidget*>()) {
       bring_back(each);
+    }
+  }
+}
+
+// Some window managers put the window before its own floating ones when it is activated.
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::ActivationChange && isActiveWindow()) {
+    for (QDockWidget* each : findChildren<QDockWidget*>()) {
+      if (each->isFloating() && each->isVisible()) each->raise();
     }
   }
 }

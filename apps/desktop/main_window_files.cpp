@@ -272,7 +272,7 @@ void MainWindow::offer_recovered() {
     box.setObjectName("recovered");
     const int answer = box.exec();
     if (answer == QMessageBox::Yes) {
-      workbench_.open_text(each.text, each.file, false, each.is_borrowed);
+      workbench_.open_recovered(each);
       if (workbench_.is_kept()) {
         Recovery::discard(each);
       }

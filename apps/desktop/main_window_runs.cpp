@@ -117,8 +117,8 @@ void MainWindow::list_events(QMenu* menu) {
 
 // Start, pause and the seed
 
-/// Continues the run from its present time; a finished or recorded run is played from the shown
-/// time.
+/// Continues the run from its present time; while the past is shown, a finished or recorded run is
+/// played from the shown time. A finished run starts again.
 void MainWindow::run_or_pause() {
   const bool is_over = workbench_.run_state() == Workbench::Run::ended || workbench_.is_at_halt();
   if (time_line_->is_playing()) {
@@ -128,6 +128,7 @@ void MainWindow::run_or_pause() {
   } else if (time_line_->is_in_the_past() && (is_over || recorded())) {
     time_line_->play();
   } else {
+    if (workbench_.run_state() == Workbench::Run::ended) workbench_.reset(workbench_.seed());
     workbench_.run();
   }
 }

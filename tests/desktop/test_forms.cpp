@@ -198,6 +198,6 @@ TEST_CASE("The weight that a coordinator gives a behaviour now is shown beside i
   window.bench().run();
   auto* live = window.get<Properties>("properties")->form().findChild<QLabel*>("priority_live");
   REQUIRE(live);
-  CHECK(wait_for([&] { return live->text().startsWith("weight now "); }));
+  CHECK(wait_for([&] { return live->text().contains(" s: weight "); }));
   CHECK(wait_for([&] { return tree->item(behavior)->text(1).startsWith("weight "); }));
 }

@@ -307,8 +307,8 @@ TEST_CASE("The key for menus opens the menu of what is chosen") {
   const auto is_picked = pick_when_open("element_menu", "Duplicate");
   window.after([&] {
     QContextMenuEvent wish(QContextMenuEvent::Keyboard, QPoint(5, 5),
-                           tree->tree()->viewport()->mapToGlobal(QPoint(5, 5)));
-    QApplication::sendEvent(tree->tree()->viewport(), &wish);
+                           tree->tree()->mapToGlobal(QPoint(5, 5)));
+    QApplication::sendEvent(tree->tree(), &wish);  // which has the keyboard
   });
   CHECK(*is_picked);
   CHECK(tree->item("robot[r3]") == nullptr);

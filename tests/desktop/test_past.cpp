@@ -10,7 +10,10 @@
 #include "hands.h"
 #include "paint/axes.h"
 #include "watch/coordination_panel.h"
+#include "watch/fuzzy_instant.h"
+#include "watch/fuzzy_panel.h"
 #include "watch/plots_panel.h"
+#include "watch/vision_panel.h"
 
 using namespace elsie::desktop;
 
@@ -270,4 +273,141 @@ TEST_CASE("What is dragged in the past does not change the present") {
   REQUIRE(wait_for([&] { return scene.stage().time_s() > 0.5; }));
   CHECK(window.bench().text() == kRoom);
   CHECK(window.said().contains("past"));
+}
+
+namespace {
+
+/// A robot with all that the windows of a run show.
+constexpr const char* kLooking = R"(<world format="1">
+  <arena length="4" width="4"/>
+  <obstacles><static_box id="crate" x="0.6" y="0.2"/></obstacles>
+  <robots>
+    <robot id="r1" team="red" x="-1">
+      <sensors><beam_range id="ahead"/><vision id="eye"/></sensors>
+      <behaviors><wander/><avoid_obstacle/></behaviors>
+      <coordinator><fusion_vector_summation/></coordinator>
+    </robot>
+  </robots>
+  <limits time="60"/>
+</world>
+)";
+
+/// The value in the row of a sensor's reading.
+QString reading(Window& window, const QString& sensor) {
+  auto* table = window.get<QTreeWidget>("sensors_table");
+  const auto found = table->findItems(sensor, Qt::MatchExactly, 0);
+  return found.isEmpty() ? QString() : found.front()->text(3);
+}
+
+/// Whether a line of the highlight's colour goes through the middle of the widget at x.
+bool has_line(QWidget* widget, double x) {
+  const QImage image = widget->grab().toImage();
+  const QColor wanted = widget->palette().color(QPalette::Highlight);
+  for (int dx = -1; dx <= 1; ++dx) {
+    const QPoint at =
+        (QPointF(x + dx, widget->height() / 3.0) * image.devicePixelRatio()).toPoint();
+    if (image.rect().contains(at) && image.pixelColor(at) == wanted) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("One time is shown by all windows: those of the robot show the values of then") {
+  Room window(kLooking);
+  window->arrange("watch");
+  window.choose("robot[r1]");
+  auto* line = window->findChild<TimeLine*>();
+  auto* vision = window->findChild<VisionPanel*>();
+  auto* fuzzy = window->findChild<FuzzyPanel*>();
+  auto* coordination = window->findChild<CoordinationPanel*>();
+  const auto raise = [&](const char* dock) { window.get<QDockWidget>(dock)->raise(); };
+  const auto look = [&](double time_s) {
+    line->go_to(time_s);
+    REQUIRE(wait_for(
+        [&] { return line->instant() && std::abs(line->instant()->time_s - time_s) < 1e-6; }));
+  };
+  raise("dock_coordination");
+  raise("dock_vision");
+  run_until(window, 0.5);
+  REQUIRE(wait_for([&] { return !vision->picture("r1/eye raw").isNull(); }));
+  const QImage picture = vision->picture("r1/eye raw");
+  const QString decision = coordination->row_text(0);
+  run_until(window, 1.0);
+  REQUIRE(wait_for([&] { return vision->picture("r1/eye raw") != picture; }));
+  raise("dock_fuzzy");
+  run_until(window, 1.5);
+  REQUIRE(wait_for([&] { return fuzzy->now().inputs.size() == 2; }));
+  const std::vector<double> inputs = fuzzy->now().inputs;
+  run_until(window, 2.0);
+  REQUIRE(wait_for([&] { return fuzzy->now().inputs != inputs; }));
+  raise("dock_sensors");
+  const QString now = "now, at 2.00 s: x ";
+  CHECK(wait_for([&] { return window.get<QLabel>("x_live")->text().startsWith(now); }));
+  REQUIRE(wait_for([&] { return !reading(window, "ahead").isEmpty(); }));
+  const QString present = reading(window, "ahead");
+
+  const Table table = recorded(window, window.bench().file(), 2.0);
+  look(0.5);
+  CHECK(vision->picture("r1/eye raw") == picture);
+  CHECK(vision->notice().isEmpty());
+  CHECK(fuzzy->notice().contains("0.50 s"));  // it was not shown then
+  CHECK(fuzzy->now().inputs.empty());
+  CHECK(reading(window, "ahead") == number_text(table["sensor[ahead].distance_m"][5]) + " m");
+  CHECK(wait_for([&] { return coordination->row_text(0) == decision; }));
+  const QString x = QString::number(table["x_m"][5], 'f', 2);
+  CHECK(
+      wait_for([&] { return window.get<QLabel>("x_live")->text() == "at 0.50 s: x " + x + " m"; }));
+  const QString speed = QString::number(table["forward_m_s"][5], 'f', 2);
+  CHECK(window.get<QLabel>("max_speed_live")->text() == "at 0.50 s: speed " + speed + " m/s");
+
+  look(1.5);
+  CHECK(fuzzy->notice().isEmpty());
+  REQUIRE(fuzzy->now().inputs.size() == 2);
+  CHECK(fuzzy->now().inputs[0] == Approx(inputs[0]));
+  CHECK(fuzzy->now().inputs[1] == Approx(inputs[1]).margin(1e-6));
+  CHECK(vision->picture("r1/eye raw").isNull());
+  CHECK(vision->notice().contains("1.50 s"));
+
+  click_on(window.get<QToolButton>("now"));
+  CHECK(wait_for([&] { return window.get<QLabel>("x_live")->text().startsWith(now); }));
+  CHECK(reading(window, "ahead") == present);
+  CHECK_FALSE(vision->picture("r1/eye raw").isNull());
+  CHECK(fuzzy->notice().isEmpty());
+}
+
+TEST_CASE(
+    "The time line moves a line in the plots and in Coordination, and a click there moves it") {
+  Room window;
+  window.get<QDockWidget>("dock_plots")->raise();
+  auto* plots = window->findChild<PlotsPanel*>();
+  auto* coordination = window->findChild<CoordinationPanel*>();
+  auto* plot = window.get<QWidget>("plot");
+  const SceneView& scene = window->scene();
+  run_until(window, 3.0);
+  REQUIRE(wait_for([&] { return plots->names().contains("r1/speed"); }));
+  plots->choose("r1/speed", true);
+  REQUIRE(wait_for([&] { return plots->sampling().startsWith("61 samples"); }));
+  auto* line = window->findChild<TimeLine*>();
+  line->go_to(1.0);
+  REQUIRE(wait_for([&] { return std::abs(scene.stage().time_s() - 1.0) < 1e-6; }));
+  const auto in_plot = plots->place_of(1.0, plot->size());
+  REQUIRE(in_plot);
+  CHECK(has_line(plot, *in_plot));
+  CHECK(plots->figures().columns[1] == "at 1.00 s");
+  const auto later = plots->place_of(2.0, plot->size());
+  REQUIRE(later);
+  click_at(plot, QPoint(static_cast<int>(*later), plot->height() / 3));
+  REQUIRE(wait_for([&] { return std::abs(scene.stage().time_s() - 2.0) < 0.06; }));
+  CHECK(line->is_in_the_past());
+
+  window.get<QDockWidget>("dock_coordination")->raise();
+  REQUIRE(wait_for([&] { return coordination->rows() == 1; }));
+  const auto band = coordination->place_of(0.5);
+  REQUIRE(band);
+  click_at(coordination->viewport(), QPoint(static_cast<int>(*band), 10));
+  REQUIRE(wait_for([&] { return std::abs(scene.stage().time_s() - 0.5) < 0.06; }));
+  CHECK(coordination->place_of(0.5) == band);  // the bands stay where they are
+  CHECK(has_line(coordination->viewport(), *coordination->place_of(scene.stage().time_s())));
+  plots->choose("r1/speed", false);
 }

@@ -7,6 +7,7 @@
 
 #include "disk.h"
 #include "engine/recovery.h"
+#include "hands.h"
 
 using namespace elsie::desktop;
 
@@ -133,6 +134,27 @@ TEST_CASE("A window with unsaved work is killed", "[.killed]") {
   window.open(qEnvironmentVariable("ELSIE_TEST_HOME") + "/room.xml");
   window.after([&] { window.bench().edit({"robot[r1]/@x=0.25"}, "move"); });
   ::raise(SIGKILL);
+}
+
+// Likewise.
+TEST_CASE("A window in which a value was typed, and not entered, is killed", "[.typing]") {
+  Window window;
+  window.open(qEnvironmentVariable("ELSIE_TEST_HOME") + "/room.xml");
+  window.choose("robot[r1]");
+  type_over(field(window, "x"), "0.25");
+  ::raise(SIGKILL);
+}
+
+TEST_CASE("A value that was typed and not entered survives, too") {
+  const QString home = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
+  std::ofstream((home + "/room.xml").toStdString()) << kRoom;
+  run_until_killed("[.typing]", home);
+  Window window;
+  at_dialog("recovered", press_yes);
+  window->offer_recovered();
+  CHECK(wait_for([&] { return window.bench().text().contains("x=\"0.25\""); }));
+  window.after([&] { window.act("undo"); });
+  CHECK(window.bench().text() == kRoom);
 }
 
 TEST_CASE("The unsaved work of a window that was killed is offered by the next one") {

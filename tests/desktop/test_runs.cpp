@@ -220,8 +220,6 @@ TEST_CASE("A run that is over is played again from the past that is shown") {
   Room window(QString(kRoom).replace("\"60\"", "\"2\""));
   window.run_to_the_end();
   auto* line = window->findChild<TimeLine*>();
-  auto* run = window.get<QToolButton>("run");
-  CHECK_FALSE(run->isEnabled());
   line->go_to(1.0);
   REQUIRE(wait_for([&] { return window.bench().time_s() < 1.1; }));
   window.bench().set_speed(5.0);
@@ -230,6 +228,17 @@ TEST_CASE("A run that is over is played again from the past that is shown") {
   REQUIRE(wait_for([&] { return !line->is_in_the_past(); }));
   CHECK(window.bench().run_state() == Workbench::Run::ended);
   CHECK(wait_for([&] { return window.bench().time_s() == Approx(2.0); }));
+}
+
+TEST_CASE("Start after the end of a run starts it again") {
+  Room window(QString(kRoom).replace("\"60\"", "\"2\""));
+  const std::string first = window.hash_at_the_end();
+  Json end;
+  QObject::connect(&window.bench(), &Workbench::ended, &window.window(),
+                   [&](const Json& event) { end = event; });
+  click_on(window.get<QToolButton>("run"));
+  REQUIRE(wait_for([&] { return !end.is_null(); }));
+  CHECK(end.at("state_hash").get<std::string>() == first);
 }
 
 TEST_CASE("A film has the pictures of the run, and replaces its file only when it is whole") {

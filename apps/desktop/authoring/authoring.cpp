@@ -111,6 +111,7 @@ QString Authoring::robot() const { return robot_path(selection_.value(0)); }
 void Authoring::edit_element(const QString& path) {
   QString why;
   if (ElementDialog* dialog = ElementDialog::edit(workbench_, path, window_, why)) {
+    connect(this, &Authoring::called_otherwise, dialog, &ElementDialog::rename);
     dialog->show();
   } else {
     Q_EMIT said(why);
@@ -307,6 +308,33 @@ void Authoring::open_floor_menu(const QPoint& global, std::optional<QPointF> at)
   menu.addSeparator();
   QAction* paste = menu.addAction(tr("Pas&te"), this, &Authoring::paste);
   paste->setEnabled(!pieces_of(QApplication::clipboard()->text()).empty());
+  menu.exec(global);
+}
+
+void Authoring::open_list_menu(const QString& holder, const QString& list, const QPoint& global) {
+  QMenu menu(window_);
+  menu.setObjectName("list_menu");
+  const auto offer = [&](const QString& text, const QString& kind = {}) {
+    menu.addAction(text, this, [this, holder, list, beginning = Beginning{kind, {}, {}}] {
+      add_element(holder, list, beginning);
+    });
+  };
+  if (list == "behaviors") {
+    menu.addAction(tr("&Behaviours..."), this, [this, holder] { edit_behaviors(holder); });
+    offer(tr("&Add one with its parameters..."));
+  } else if (list == "coordinator") {
+    offer(tr("&Coordinator..."));
+  } else if (list == "obstacles") {
+    for (const Obstacle& each : obstacles()) offer(tr("Add %1...").arg(each.text), each.kind);
+  } else if (!workbench_.catalog().members(list).empty()) {
+    offer(tr("&Add %1...").arg(member_word(list)));
+  }
+  menu.addSeparator();
+  QAction* paste = menu.addAction(tr("Pas&te"), this, [this, holder] {
+    if (!holder.isEmpty()) select({holder});  // parts of a robot go to what is selected
+    this->paste();
+  });
+  paste->setEnabled(may_paste_into(list));
   menu.exec(global);
 }
 

@@ -67,6 +67,9 @@ class Authoring : public QObject {
   void open_menu(const QString& path, const QPoint& global);
   /// Opens the menu of what can be added `at` that point of the floor, m; none: to the world.
   void open_floor_menu(const QPoint& global, std::optional<QPointF> at = {});
+  /// Opens the menu of the list ("sensors") of the element at `holder`: what can be added to it,
+  /// and pasted.
+  void open_list_menu(const QString& holder, const QString& list, const QPoint& global);
 
   void remove_selected();
   void copy_selected();
@@ -98,6 +101,8 @@ class Authoring : public QObject {
   QString markup_of_selected() const;
   QString list_for(const QString& name) const;
   std::optional<QString> holder_of_part(const Piece& piece) const;
+  /// Whether the clipboard has elements that may stand in that list.
+  bool may_paste_into(const QString& list) const;
   void insert(const QString& markup, const QString& name);
   /// The edit that puts a piece into the world; "", with a sentence, if it cannot be put there.
   /// Adds the id that it gives to `taken`.

@@ -18,6 +18,11 @@ constexpr double kAside_m = 0.3;  // distance between the places that are tried 
 constexpr double kLeast_m = 0.2;  // the size of an object that does not give it
 constexpr int kMostRings = 12;
 
+QString clipboard_text() {
+  const QMimeData* held = QApplication::clipboard()->mimeData();
+  return held->hasFormat(kMime) ? QString::fromUtf8(held->data(kMime)) : held->text();
+}
+
 }  // namespace
 
 // The selected paths in the order of the world, without those inside other selected elements.
@@ -82,9 +87,13 @@ void Authoring::cut_selected() {
   remove_selected();
 }
 
-void Authoring::paste() {
-  const QMimeData* held = QApplication::clipboard()->mimeData();
-  insert(held->hasFormat(kMime) ? QString::fromUtf8(held->data(kMime)) : held->text(), tr("paste"));
+void Authoring::paste() { insert(clipboard_text(), tr("paste")); }
+
+bool Authoring::may_paste_into(const QString& list) const {
+  const std::vector<Piece> pieces = pieces_of(clipboard_text());
+  return !pieces.empty() && std::all_of(pieces.begin(), pieces.end(), [&](const Piece& each) {
+    return (each.list.isEmpty() ? list_for(each.name) : each.list) == list;
+  });
 }
 
 void Authoring::duplicate_selected() {

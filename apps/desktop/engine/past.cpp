@@ -113,6 +113,25 @@ void Samples::add(const Json& answer) {
   }
 }
 
+Json Instant::state_of(const QString& robot) const {
+  const std::string before = robot.toStdString() + '/';
+  const std::string asked = "/asked";  // of a behaviour; that of the robot has parts
+  Json of_robot{{"id", robot.toStdString()}, {"members", Json::array()}};
+  for (const auto& [name, value] : numbers.items()) {
+    if (!name.starts_with(before)) continue;
+    const std::string rest = name.substr(before.size());
+    if (rest == "speed" || rest == "energy") of_robot[rest] = value;
+    if (rest.ends_with(asked) && value != 0.0) {
+      const std::string path = rest.substr(0, rest.size() - asked.size());
+      of_robot["members"].push_back(
+          {{"path", path},
+           {"asked", true},
+           {"weight", number_of(numbers, (before + path + "/weight").c_str())}});
+    }
+  }
+  return {{"time_s", time_s}, {"robots", {of_robot}}};
+}
+
 Past::Past(Workbench& workbench, QObject* parent) : QObject(parent), workbench_(workbench) {
   connect(&workbench_, &Workbench::snapshot, this, &Past::look);
   connect(&workbench_, &Workbench::run_changed, this, [this] {

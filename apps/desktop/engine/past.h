@@ -44,6 +44,20 @@ class Samples {
   int revision_ = 0;
 };
 
+/// What is stored of a time in the past, besides places: the answer to `at`
+/// (docs/internals/session.md).
+struct Instant {
+  double time_s = 0.0;
+  Json numbers;  // by name
+  Json look;     // what is no number, of the robots that were watched then; null: nothing is stored
+
+  /// NaN if it is not stored.
+  double number(const QString& name) const { return number_of(numbers, name.toUtf8().constData()); }
+  /// The numbers of a robot in the form of an event `state`: its speed and energy, and for the
+  /// behaviours that were asked their weights.
+  Json state_of(const QString& robot) const;
+};
+
 /// An edit put a robot somewhere else, where it did not drive.
 struct Placed {
   QString robot;

@@ -6,6 +6,14 @@
 
 namespace elsie::desktop {
 
+/// A value that was typed for an attribute and not entered.
+struct Typed {
+  QString path;  // of the attribute: "robot[r1]/@x"
+  QString text;
+
+  friend bool operator==(const Typed&, const Typed&) = default;
+};
+
 /// The work of a window that was not closed properly.
 struct Recovered {
   QString file;  // from which the world was opened; may be empty
@@ -13,6 +21,7 @@ struct Recovered {
   QString kept_in;
   bool is_borrowed = false;  // the file belongs to a recording; the world is then saved elsewhere
   bool is_damaged = false;   // there is then neither file nor text
+  std::vector<Typed> typed = {};
 };
 
 /// Keeps the unsaved text of one window in a file of its own, below the user's data folder. A lock
@@ -27,7 +36,8 @@ class Recovery {
   Recovery& operator=(const Recovery&) = delete;
 
   /// Stores the text. Returns false if the disk is full or the folder cannot be written.
-  bool keep(const QString& file, const QString& text, bool is_borrowed);
+  bool keep(const QString& file, const QString& text, bool is_borrowed,
+            const std::vector<Typed>& typed = {});
   /// Deletes the file, because everything is saved or discarded.
   void forget();
 

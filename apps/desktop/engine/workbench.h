@@ -82,6 +82,10 @@ class Workbench : public QObject {
   bool has_mistakes() const { return tree_.is_object() && text_ != history_text_; }
   /// Whether all unsaved work is in the recovery file.
   bool is_kept() const { return is_kept_; }
+  /// Keeps what is typed in a form and not entered yet, with unsaved work.
+  void keep_typed(std::vector<Typed> typed);
+  /// Opens the work of a window that was not closed properly, and enters what was typed in it.
+  void open_recovered(const Recovered& recovered);
   /// The user discards unsaved work.
   void give_up_unsaved();
   /// @}
@@ -235,6 +239,7 @@ class Workbench : public QObject {
   bool is_stopping_ = false;  // by the user
   bool is_stepping_ = false;  // a step is ordered and not made
   Recovery recovery_;
+  std::vector<Typed> typed_;
   bool is_kept_ = true;
   std::unique_ptr<QFileSystemWatcher> on_disk_watcher_;
 };

@@ -45,6 +45,7 @@ void Workbench::open_text(const QString& text, const QString& file, bool is_save
   on_disk_ = is_saved && !file.isEmpty() ? bytes_of(file).value_or(QByteArray()) : QByteArray();
   saved_text_ = is_saved ? std::optional(text) : std::nullopt;
   is_gone_ = false;
+  typed_.clear();
   keep();
   tree_ = scene_ = Json();
   plugin_problems_.clear();
@@ -268,14 +269,34 @@ bool Workbench::is_modified() const {
                                            [](const Change& each) { return each.is_edit; });
 }
 
+void Workbench::keep_typed(std::vector<Typed> typed) {
+  if (typed != std::exchange(typed_, typed)) keep();
+}
+
+void Workbench::open_recovered(const Recovered& recovered) {
+  open_text(recovered.text, recovered.file, false, recovered.is_borrowed);
+  keep_typed(recovered.typed);
+  for (const Typed& each : recovered.typed) {
+    edit(
+        {each.path + '=' + each.text}, tr("enter what was typed"), {}, this,
+        [this, each](const Problems& problems) {
+          keep_typed({});
+          if (!problems.empty()) {
+            Q_EMIT noted(tr("'%1' was typed for %2 and is not entered: %3")
+                             .arg(each.text, each.path.section('@', -1), problems.front().message));
+          }
+        });
+  }
+}
+
 void Workbench::keep() {
-  if (!has_unsaved_text()) {
+  if (!has_unsaved_text() && typed_.empty()) {
     recovery_.forget();
     is_kept_ = true;
     return;
   }
   const bool was_kept = is_kept_;
-  is_kept_ = recovery_.keep(file_, text_, is_borrowed_);
+  is_kept_ = recovery_.keep(file_, text_, is_borrowed_, typed_);
   if (was_kept && !is_kept_) {
     Q_EMIT noted(
         tr("Unsaved work cannot be kept for the case of a crash: your data folder is full or "

@@ -1,5 +1,6 @@
 #include "paint/chart.h"
 
+#include <QFontMetrics>
 #include <QImage>
 #include <QPainter>
 #include <QPalette>
@@ -63,6 +64,17 @@ void draw_chart(QPainter& painter, const QRectF& area, const picture::Panel& pan
     return picture::screen_chart(panel, size.width(), size.height(), ratio * zoom,
                                  style_of(palette));
   });
+}
+
+PlotPlace plot_place(const QRectF& area, const picture::LineChart& chart,
+                     const QFontMetrics& font) {
+  constexpr int kFine = 16;  // parts of a pixel: a size is whole
+  const QSize size = (kFine * area.size()).toSize();
+  const picture::PlotPlace place =
+      picture::screen_plot(chart, size.width(), size.height(), kFine * font.height() / kTextLine);
+  const QRectF plot(place.across.low, place.down.low, place.across.span(), place.down.span());
+  return {QRectF(area.topLeft() + plot.topLeft() / kFine, plot.size() / kFine),
+          {place.x.low, place.x.high}};
 }
 
 }  // namespace elsie::desktop

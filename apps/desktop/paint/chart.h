@@ -9,6 +9,9 @@
 
 #include "elsie/picture/plot.h"
 
+#include "paint/axes.h"
+
+class QFontMetrics;
 class QPainter;
 class QPalette;
 
@@ -30,5 +33,12 @@ void draw_pixels(
 /// the painter's font.
 void draw_chart(QPainter& painter, const QRectF& area, const picture::Panel& panel,
                 const QPalette& palette);
+
+/// The plot of a chart that draw_chart() draws into this area, and the values of x at its sides.
+struct PlotPlace {
+  QRectF plot;
+  Span x;
+};
+PlotPlace plot_place(const QRectF& area, const picture::LineChart& chart, const QFontMetrics& font);
 
 }  // namespace elsie::desktop

@@ -15,6 +15,7 @@ namespace elsie::desktop {
 namespace {
 
 constexpr double kHandle = 8.0;     // px, radius
+constexpr double kReach = 11.0;     // px, from the middle of a handle
 constexpr double kKnobAway = 30.0;  // px, from the edge of the thing
 
 const QColor kSelected(0xe0, 0x80, 0x00);
@@ -255,8 +256,10 @@ void SceneView::paint(QPainter& painter, bool with_handles) {
     if (typed_.is_on()) {
       over.note({8.0, height() - line}, tr("%1   (Enter: apply, Esc: cancel)").arg(typed_.text()));
     } else if (stage_.is_past()) {
-      over.note({8.0, height() - line}, tr("Looking back at %1 s: places only, without sketches")
-                                            .arg(stage_.time_s(), 0, 'f', 2));
+      over.note({8.0, height() - line},
+                tr("Looking back at %1 s: places only; sketches, fields and lights "
+                   "are not stored")
+                    .arg(stage_.time_s(), 0, 'f', 2));
     } else if (overlays_.sketches && stage_.left_out() > 0) {
       over.note({8.0, height() - line}, tr("%1 parts of sketches are not drawn: there are too many")
                                             .arg(qulonglong(stage_.left_out())));
@@ -289,6 +292,16 @@ std::optional<Vector3> SceneView::size_of_selected() const {
 }
 
 std::optional<QPointF> SceneView::handle(Tool tool) const {
+  const auto at = place_of_handle(tool);
+  if (tool != Tool::resize || !at) return at;
+  for (const Tool other : {Tool::move, Tool::turn}) {
+    const auto beside = place_of_handle(other);
+    if (beside && QLineF(*beside, *at).length() < 2.0 * kReach) return std::nullopt;
+  }
+  return at;
+}
+
+std::optional<QPointF> SceneView::place_of_handle(Tool tool) const {
   const auto frame = frame_of_selected();
   if (!frame || locked_.contains(selection_.front())) {
     return std::nullopt;
@@ -319,13 +332,17 @@ std::optional<QPointF> SceneView::handle(Tool tool) const {
              : std::nullopt;
 }
 
-std::optional<SceneView::Tool> SceneView::handle_at(const QPointF& pixel) const {
+std::optional<SceneView::Tool> SceneView::handle_at(const QPointF& pixel, double* height) const {
   for (const Tool tool : {Tool::resize, Tool::turn, Tool::move}) {
-    if (const auto at = handle(tool); at && QLineF(*at, pixel).length() <= kHandle + 3.0) {
+    if (const auto at = handle(tool); at && QLineF(*at, pixel).length() <= kReach) {
       return tool;
     }
   }
-  return std::nullopt;
+  const Vector3 from = camera_.frame().origin, direction = camera_.ray(pixel, size());
+  double way = 0.0;
+  if (!movable().contains(stage_.at(from, direction, &way))) return std::nullopt;
+  if (height) *height = from.z + way * direction.z;
+  return Tool::move;
 }
 
 // The selected objects that have a place and are not locked.
@@ -360,22 +377,29 @@ void SceneView::paint_selection(QPainter& painter, const OverlayPainter& over) c
   if (is_dragged) {
     return;
   }
-  painter.setPen(QPen(Qt::white, 1.5));
+  paint_handles(painter);
+}
+
+/// What a hand drags, but for the body itself: nothing is drawn over that. A thing that is small on
+/// the screen has a ring around it.
+void SceneView::paint_handles(QPainter& painter) const {
+  const auto foot = handle(Tool::move), knob = handle(Tool::turn), corner = handle(Tool::resize);
+  if (!foot) return;
+  painter.setBrush(Qt::NoBrush);
+  if (!corner && knob && QLineF(*foot, *knob).length() < kKnobAway + 2.0 * kReach) {
+    painter.setPen(QPen(kSelected, 1.5));
+    painter.drawEllipse(*foot, 1.5 * kReach, 1.5 * kReach);
+  }
   painter.setBrush(kSelected);
-  if (const auto knob = handle(Tool::turn)) {
+  if (knob) {
     painter.setPen(QPen(kSelected, 1.2));
-    painter.drawLine(*handle(Tool::move), *knob);
+    const QPointF way = (*knob - *foot) / std::max(1.0, QLineF(*foot, *knob).length());
+    painter.drawLine(*knob - (kKnobAway - 4.0) * way, *knob);
     painter.setPen(QPen(Qt::white, 1.5));
     painter.drawEllipse(*knob, kHandle - 2.0, kHandle - 2.0);
   }
-  if (const auto corner = handle(Tool::resize)) {
+  if (corner) {
     painter.drawRect(QRectF(*corner - QPointF(6.0, 6.0), QSizeF(12.0, 12.0)));
-  }
-  if (const auto foot = handle(Tool::move)) {
-    painter.setBrush(QColor(kSelected.red(), kSelected.green(), kSelected.blue(), 120));
-    painter.drawEllipse(*foot, kHandle, kHandle);
-    painter.drawLine(*foot - QPointF(5.0, 0.0), *foot + QPointF(5.0, 0.0));
-    painter.drawLine(*foot - QPointF(0.0, 5.0), *foot + QPointF(0.0, 5.0));
   }
   painter.setBrush(Qt::NoBrush);
 }

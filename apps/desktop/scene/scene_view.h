@@ -27,9 +27,10 @@ class OverlayPainter;
 /// draws lines, handles and words over them.
 ///
 /// The left button orbits, the right one pans, the wheel zooms to the pointer. A click selects,
-/// with Shift several objects; a right click opens the editor. The selected object has handles: its
-/// foot moves it, the knob ahead turns it, the corner resizes a box. If Ctrl is down at the press,
-/// a button always moves the camera; Ctrl during a drag snaps. G, R and S begin a drag by keys:
+/// with Shift several objects; a right click opens the editor. A selected object is moved by a drag
+/// of it, or of its foot where it is small; the knob ahead turns it, the corner resizes a box,
+/// unless it is too near on the screen to what moves or turns it. If Ctrl is down at the press, a
+/// button always moves the camera; Ctrl during a drag snaps. G, R and S begin a drag by keys:
 /// typed_drag.h.
 class SceneView : public QWidget {
   Q_OBJECT
@@ -91,7 +92,7 @@ class SceneView : public QWidget {
   std::optional<QPointF> pixel_of(const Vector3& point) const {
     return camera_.project(point, size());
   }
-  /// The middle of a tool's handle on the selected object.
+  /// The middle of a tool's handle on the selected object; none if it has none, or no room for it.
   std::optional<QPointF> handle(Tool tool) const;
 
  Q_SIGNALS:
@@ -138,7 +139,10 @@ class SceneView : public QWidget {
   void paint_tape(QPainter& painter, const OverlayPainter& over) const;
   void camera_moved();
   QStringList movable() const;
-  std::optional<Tool> handle_at(const QPointF& pixel) const;
+  std::optional<QPointF> place_of_handle(Tool tool) const;
+  /// What a drag from there does with the selection. `height`: receives that of what is held, m.
+  std::optional<Tool> handle_at(const QPointF& pixel, double* height = nullptr) const;
+  void paint_handles(QPainter& painter) const;
   std::optional<Frame> frame_of_selected() const;
   std::optional<Vector3> size_of_selected() const;
   bool is_selection_dragged() const { return drag_ == Drag::tool && dragged_ != Tool::measure; }
@@ -169,6 +173,7 @@ class SceneView : public QWidget {
   Qt::MouseButton button_ = Qt::NoButton;
   QPointF pressed_, last_;
   Vector3 pressed_at_;
+  double held_height_ = 0.0;  // m
   Ghost ghost_;
   TypedDrag typed_;
   std::optional<std::pair<Vector3, Vector3>> tape_;

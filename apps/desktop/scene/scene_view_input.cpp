@@ -31,16 +31,18 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
   button_ = event->button();
   const auto floor = camera_.on_plane(pressed_, size());
   pressed_at_ = floor.value_or(Vector3{});
+  held_height_ = 0.0;
   drag_ = Drag::pressed;
   if (button_ == Qt::LeftButton && !(event->modifiers() & Qt::ControlModifier) && floor) {
     if (tool_ == Tool::measure) {
       drag_ = Drag::tool;
       dragged_ = Tool::measure;
       tape_ = {pressed_at_, pressed_at_};
-    } else if (const auto handle = handle_at(pressed_)) {
+    } else if (const auto handle = handle_at(pressed_, &held_height_)) {
       drag_ = Drag::tool;
       dragged_ = *handle;
       ghost_ = {};
+      pressed_at_ = camera_.on_plane(pressed_, size(), held_height_).value_or(pressed_at_);
     }
   }
   update();
@@ -78,7 +80,7 @@ void SceneView::drag_to(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
   if (typed_.has_number()) {
     return;
   }
-  const auto floor = camera_.on_plane(pixel, size());
+  const auto floor = camera_.on_plane(pixel, size(), held_height_);
   const auto frame = frame_of_selected();
   if (!floor) {
     return;
@@ -187,7 +189,7 @@ void SceneView::begin_typed(Tool tool) {
   if (!frame || drag_ != Drag::none || locked_.contains(selection_.front())) {
     return;
   }
-  if (tool == Tool::resize && !handle(tool)) {
+  if (tool == Tool::resize && !size_of_selected()) {
     Q_EMIT said(tr("The view cannot resize this; its numbers are in Properties."));
     return;
   }
@@ -195,6 +197,7 @@ void SceneView::begin_typed(Tool tool) {
   ghost_ = {};
   drag_ = Drag::tool;
   dragged_ = tool;
+  held_height_ = 0.0;
   pressed_at_ = camera_.on_plane(mapFromGlobal(QCursor::pos()), size()).value_or(frame->origin);
   update();
 }

@@ -297,7 +297,7 @@ render::Scene Stage::drawn() const {
   return scene;
 }
 
-QString Stage::at(const Vector3& from, const Vector3& direction) const {
+QString Stage::at(const Vector3& from, const Vector3& direction, double* way_there) const {
   double nearest = std::numeric_limits<double>::infinity();
   if (direction.z < 0.0) {
     nearest = -from.z / direction.z;  // the floor
@@ -313,6 +313,7 @@ QString Stage::at(const Vector3& from, const Vector3& direction) const {
       path = solid.path;
     }
   }
+  if (way_there) *way_there = nearest;
   return path;
 }
 

@@ -83,8 +83,9 @@ class Stage {
 
   /// Everything that must be drawn.
   render::Scene drawn() const;
-  /// The first element that a ray meets; "" for the floor, a wall or nothing.
-  QString at(const Vector3& from, const Vector3& direction) const;
+  /// The first element that a ray meets; "" for the floor, a wall or nothing. `way`: receives how
+  /// far that is, in lengths of `direction`.
+  QString at(const Vector3& from, const Vector3& direction, double* way = nullptr) const;
 
  private:
   void read(const Json& scene);

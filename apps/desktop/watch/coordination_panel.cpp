@@ -1,6 +1,7 @@
 #include "watch/coordination_panel.h"
 
 #include <QHelpEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QScrollBar>
 #include <QToolTip>
@@ -66,6 +67,7 @@ void CoordinationPanel::clear() {
   rows_.clear();
   now_s_ = 0.0;
   looked_back_to_s_.reset();
+  then_.reset();
   lay_out();
 }
 
@@ -75,10 +77,18 @@ void CoordinationPanel::set_samples(const Samples& samples) {
 }
 
 void CoordinationPanel::look_back(std::optional<double> time_s) {
-  if (looked_back_to_s_ != time_s) {
-    looked_back_to_s_ = time_s;
-    viewport()->update();
+  if (looked_back_to_s_ == time_s) return;
+  if (time_s) {  // the bands stay as they are as long as they show the time
+    const Bands before = bands();
+    start_s_ = std::clamp(before.start_s, std::max(0.0, *time_s - before.length_s), *time_s);
   }
+  looked_back_to_s_ = time_s;
+  viewport()->update();
+}
+
+void CoordinationPanel::set_look(const Instant* then) {
+  then_ = then ? std::optional(*then) : std::nullopt;
+  viewport()->update();
 }
 
 void CoordinationPanel::add(const Json& state) {
@@ -171,10 +181,17 @@ std::vector<CoordinationPanel::Row> CoordinationPanel::shown_rows() const {
     row.share = then("share");
     row.command = command_text({then(kCommand[0]), then(kCommand[1]), then(kCommand[2])});
     row.inhibited_by.clear();
-    row.reason.clear();
+    row.reason = row.asked ? reason_then(row.path) : QString();
   }
   set_percents(rows);
   return rows;
+}
+
+QString CoordinationPanel::reason_then(const QString& path) const {
+  const Json& reasons = then_ ? member(robot_of(then_->look, robot_), "reasons") : Json();
+  return reasons.is_object() ? text_of(reasons, path.toUtf8().constData())
+         : then_             ? tr("the reason is not stored")
+                             : QString();
 }
 
 Figures CoordinationPanel::figures() const {
@@ -277,6 +294,62 @@ void CoordinationPanel::paint_band(QPainter& painter, const QRectF& lane, int ro
   }
 }
 
+int CoordinationPanel::names_width() const {
+  const QFontMetrics font = fontMetrics();
+  const int em = font.horizontalAdvance(u'm');
+  int width = em * 8;
+  for (const Row& row : rows_) {
+    width = std::max(width, font.horizontalAdvance(row.name) + (2 * row.depth + 2) * em);
+  }
+  return std::min(width, viewport()->width() / 3);
+}
+
+int CoordinationPanel::figures_width() const {
+  return std::min(fontMetrics().horizontalAdvance(u'm') * 42, viewport()->width() / 2);
+}
+
+/// The latest time that the bands can show, s.
+double CoordinationPanel::latest_s() const {
+  const bool has_past = looked_back_to_s_ && samples_ && !samples_->times().empty();
+  return has_past ? std::max(now_s_, samples_->times().back()) : now_s_;
+}
+
+CoordinationPanel::Bands CoordinationPanel::bands() const {
+  const int em = fontMetrics().horizontalAdvance(u'm');
+  Bands bands;
+  bands.left = names_width();
+  bands.width = std::max(1, viewport()->width() - bands.left - figures_width() - em);
+  const double latest = latest_s(), first = std::max(0.0, latest - kSpan);
+  bands.start_s = looked_back_to_s_ ? std::min(start_s_, first) : first;
+  bands.length_s = std::max(std::min(latest, kSpan), 1.0);
+  return bands;
+}
+
+std::optional<double> CoordinationPanel::place_of(double time_s) const {
+  const Bands where = bands();
+  const double x = where.x_of(time_s);
+  return x >= where.left && x <= where.left + where.width ? std::optional(x) : std::nullopt;
+}
+
+void CoordinationPanel::mousePressEvent(QMouseEvent* event) {
+  const Bands where = bands();
+  const double x = event->position().x();
+  is_dragged_ = event->button() == Qt::LeftButton && !rows_.empty() && x >= where.left &&
+                x <= where.left + where.width;
+  if (is_dragged_) mouseMoveEvent(event);
+}
+
+void CoordinationPanel::mouseMoveEvent(QMouseEvent* event) {
+  if (is_dragged_) {
+    const Bands where = bands();
+    const double x = std::clamp(event->position().x(), static_cast<double>(where.left),
+                                static_cast<double>(where.left + where.width));
+    Q_EMIT time_wished(std::min(where.time_at(x), latest_s()));
+  }
+}
+
+void CoordinationPanel::mouseReleaseEvent(QMouseEvent*) { is_dragged_ = false; }
+
 void CoordinationPanel::paintEvent(QPaintEvent*) {
   QPainter painter(viewport());
   const QFontMetrics font = fontMetrics();
@@ -293,17 +366,9 @@ void CoordinationPanel::paintEvent(QPaintEvent*) {
     return;
   }
   const std::vector<Row> shown = shown_rows();
-  int names = em * 8;
-  for (const Row& row : shown) {
-    names = std::max(names, font.horizontalAdvance(row.name) + (2 * row.depth + 2) * em);
-  }
-  names = std::min(names, viewport()->width() / 3);
-  const int figures = std::min(em * 42, viewport()->width() / 2);
-  const QRect bands(names, 0, viewport()->width() - names - figures - em, viewport()->height());
-  const double end = looked_back_to_s_.value_or(now_s_);
-  const double start = std::max(0.0, end - kSpan);
-  const double length = std::max(end - start, 1.0);
-  const auto x_of = [&](double t) { return bands.left() + (t - start) / length * bands.width(); };
+  const Bands where = bands();
+  const int names = where.left, figures = figures_width(), right = where.left + where.width;
+  const double end = std::min(where.start_s + where.length_s, latest_s());
   const int axis = viewport()->height() - line * 3 / 2;
 
   painter.setClipRect(0, 0, viewport()->width(), axis);
@@ -318,13 +383,12 @@ void CoordinationPanel::paintEvent(QPaintEvent*) {
     const int indent = em / 2 + row.depth * 2 * em;
     painter.drawText(QRect(indent, top, names - indent, row_height()), Qt::AlignVCenter,
                      font.elidedText(row.name, Qt::ElideMiddle, names - indent));
-    const double right = x_of(end);
-    paint_band(painter, QRectF(bands.left(), top + 3, right - bands.left(), row_height() - 6), n,
-               start, end);
+    paint_band(painter, QRectF(names, top + 3, where.x_of(end) - names, row_height() - 6), n,
+               where.start_s, end);
     painter.setPen(grey);
     painter.drawLine(0, top + row_height() - 1, viewport()->width(), top + row_height() - 1);
 
-    const QRect text(bands.right() + em, top, figures - em / 2, row_height());
+    const QRect text(right + em, top, figures - em / 2, row_height());
     const QRectF bar(text.left(), text.top() + 4, em * 4, line - 4);
     painter.fillRect(
         QRectF(bar.topLeft(),
@@ -350,17 +414,26 @@ void CoordinationPanel::paintEvent(QPaintEvent*) {
   }
   painter.setClipping(false);
   painter.setPen(ink);
-  painter.drawLine(bands.left(), axis, bands.right(), axis);
-  painter.drawText(QRect(bands.right() + em, axis + 3, figures - em / 2, line + 2), Qt::AlignRight,
+  painter.drawLine(names, axis, right, axis);
+  painter.drawText(QRect(right + em, axis + 3, figures - em / 2, line + 2), Qt::AlignRight,
                    font.elidedText(tr("command: forward, lateral [m/s], turn [rad/s]"),
                                    Qt::ElideRight, figures - em / 2));
-  for (const double tick :
-       ticks({start, start + length}, std::max(2, bands.width() / (line * 4)))) {
-    const int x = static_cast<int>(x_of(tick));
+  for (const double tick : ticks({where.start_s, where.start_s + where.length_s},
+                                 std::max(2, where.width / (line * 4)))) {
+    const int x = static_cast<int>(where.x_of(tick));
     painter.drawLine(x, axis, x, axis + 3);
     painter.drawText(QRect(x - line * 3, axis + 3, line * 6, line + 2), Qt::AlignHCenter,
                      tr("%1 s").arg(number_text(tick)));
   }
+  paint_cursor(painter, where, axis);
+}
+
+/// The line of the shown time, and the time.
+void CoordinationPanel::paint_cursor(QPainter& painter, const Bands& bands, int axis) const {
+  if (!looked_back_to_s_) return;
+  const int x = static_cast<int>(std::lround(bands.x_of(*looked_back_to_s_)));
+  painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
+  painter.drawLine(x, 0, x, axis);
 }
 
 }  // namespace elsie::desktop

@@ -1,6 +1,7 @@
 #include "watch/fuzzy_panel.h"
 
 #include <QComboBox>
+#include <QLabel>
 #include <QPainter>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -208,8 +209,15 @@ class FuzzyPanel::Page : public QWidget, public ShowsFigures {
 };
 
 FuzzyPanel::FuzzyPanel(QWidget* parent)
-    : QWidget(parent), models_(new QComboBox(this)), page_(new Page), surface_(new ControlSurface) {
+    : QWidget(parent),
+      notice_(new QLabel(this)),
+      models_(new QComboBox(this)),
+      page_(new Page),
+      surface_(new ControlSurface) {
   setObjectName(QStringLiteral("fuzzy"));
+  notice_->setObjectName(QStringLiteral("fuzzy_notice"));
+  notice_->setWordWrap(true);
+  notice_->hide();
   models_->setObjectName(QStringLiteral("fuzzy_models"));
   models_->setAccessibleName(tr("Fuzzy model"));
   quiet_wheel(models_);
@@ -230,8 +238,12 @@ FuzzyPanel::FuzzyPanel(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(models_);
+  column->addWidget(notice_);
   column->addWidget(area);
-  connect(models_, &QComboBox::currentIndexChanged, this, &FuzzyPanel::load);
+  connect(models_, &QComboBox::currentIndexChanged, this, [this] {
+    load();
+    show_values();
+  });
 }
 
 FuzzyPanel::~FuzzyPanel() = default;
@@ -244,6 +256,7 @@ void FuzzyPanel::set_robot(const QString& id) {
 }
 
 void FuzzyPanel::clear() {
+  present_.clear();
   models_->clear();
   load();
 }
@@ -273,27 +286,48 @@ void FuzzyPanel::add(const Json& state) {
     const int count = ++times[path];
     const QString name = count == 1 ? path : QStringLiteral("%1 (%2)").arg(path).arg(count);
     const QStringList source{text_of(entry, "file"), text_of(entry, "block")};
+    present_[name] = entry;
     if (const int place = models_->findText(name); place < 0) {
       models_->addItem(name, source);
     } else if (models_->itemData(place).toStringList() != source) {
       models_->setItemData(place, source);
-      if (place == models_->currentIndex()) {
-        load();
-      }
+      if (place == models_->currentIndex()) load();
     }
-    if (name == models_->currentText()) {
-      for (const auto& [key, value] : member(entry, "inputs").items()) {
-        page_->inputs[key] = number_of(member(entry, "inputs"), key.c_str());
-      }
-      for (const auto& [key, value] : member(entry, "outputs").items()) {
-        page_->outputs[key] = number_of(member(entry, "outputs"), key.c_str());
-      }
+  }
+  show_values();
+}
+
+void FuzzyPanel::look_back(const Instant* then) {
+  then_ = then ? std::optional(*then) : std::nullopt;
+  show_values();
+}
+
+void FuzzyPanel::show_values() {
+  const QString name = models_->currentText();
+  bool is_stored = false;
+  const auto take = [&](const char* list, std::map<std::string, double>& values) {
+    for (const auto& [key, value] : member(present_[name], list).items()) {
+      const QString number =
+          QStringList{robot_, name, list, QString::fromStdString(key)}.join(u'/');
+      values[key] =
+          then_ ? then_->number(number) : number_of(member(present_[name], list), key.c_str());
+      is_stored = is_stored || std::isfinite(values[key]);
     }
+  };
+  take("inputs", page_->inputs);
+  take("outputs", page_->outputs);
+  notice_->setVisible(then_ && !is_stored && page_->model);
+  if (then_) {
+    notice_->setText(
+        tr("The values at %1 s are not stored: they are while this window is shown and "
+           "the model is asked.")
+            .arg(then_->time_s, 0, 'f', 2));
   }
   page_->think();
   surface_->set_inputs(page_->now.inputs);
 }
 
+QString FuzzyPanel::notice() const { return notice_->isHidden() ? QString() : notice_->text(); }
 const FuzzyInstant& FuzzyPanel::now() const { return page_->now; }
 QString FuzzyPanel::problem() const {
   return page_->problem.isEmpty() ? page_->now.problem : page_->problem;

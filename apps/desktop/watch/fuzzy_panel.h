@@ -1,20 +1,23 @@
-// The fuzzy models of a robot, with their present values.
+// The fuzzy models of a robot, with their values, now or at the shown time of the past.
 #pragma once
 
 #include <QWidget>
+#include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include "engine/json.h"
+#include "engine/past.h"
 
 class QComboBox;
+class QLabel;
 
 namespace elsie::desktop {
 
 class ControlSurface;
 struct FuzzyInstant;
 
-/// For the chosen model: each input with its terms, the present value and its degrees; the rules
+/// For the chosen model: each input with its terms, its value and its degrees; the rules
 /// with the degree to which each fires; each output with its accumulated set, its centre of gravity
 /// and its value; the control surface.
 class FuzzyPanel : public QWidget {
@@ -27,19 +30,27 @@ class FuzzyPanel : public QWidget {
   void set_robot(const QString& id);
   /// Takes a `state` event.
   void add(const Json& state);
+  /// Shows the values of that time; null: those of the present.
+  void look_back(const Instant* then);
   void clear();
 
-  /// What the chosen model computes from the last state.
+  /// What the chosen model computes from the shown values.
   const FuzzyInstant& now() const;
   /// Why the model cannot be shown; "" if it can.
   QString problem() const;
+  /// What it says of values that are not stored; "" if they are.
+  QString notice() const;
 
  private:
   class Page;
 
   void load();
+  void show_values();
 
   QString robot_;
+  std::map<QString, Json> present_;  // by name: each model in the last state that had it
+  std::optional<Instant> then_;
+  QLabel* notice_;
   QComboBox* models_;
   Page* page_;
   ControlSurface* surface_;

@@ -3,6 +3,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QScrollArea>
 #include <QSignalBlocker>
@@ -32,7 +33,7 @@ constexpr int kStrip_lines = 11;      // the least height of a strip
 
 class Plot : public QWidget, public ShowsFigures {
  public:
-  explicit Plot(const PlotsPanel* panel) : panel_(panel) {
+  explicit Plot(PlotsPanel* panel) : panel_(panel) {
     setObjectName(QStringLiteral("plot"));
     setBackgroundRole(QPalette::Base);
     setAutoFillBackground(true);
@@ -48,8 +49,21 @@ class Plot : public QWidget, public ShowsFigures {
     panel_->draw(painter, rect());
   }
 
+  void mousePressEvent(QMouseEvent* event) override {
+    is_dragged_ = event->button() == Qt::LeftButton;
+    wish(event->position());
+  }
+  void mouseMoveEvent(QMouseEvent* event) override { wish(event->position()); }
+  void mouseReleaseEvent(QMouseEvent*) override { is_dragged_ = false; }
+
  private:
-  const PlotsPanel* panel_;
+  void wish(const QPointF& at) {
+    const auto time_s = is_dragged_ ? panel_->time_at(at, size()) : std::nullopt;
+    if (time_s) Q_EMIT panel_->time_wished(*time_s);
+  }
+
+  PlotsPanel* panel_;
+  bool is_dragged_ = false;
 };
 
 /// The number with the fewest digits that is this value in single precision.
@@ -116,6 +130,49 @@ PlotsPanel::PlotsPanel(QWidget* parent)
 void PlotsPanel::set_samples(const Samples& samples) {
   samples_ = &samples;
   plot_->update();
+}
+
+void PlotsPanel::look_back(std::optional<double> time_s) {
+  if (time_s != std::exchange(looked_back_to_s_, time_s)) plot_->update();
+}
+
+std::optional<double> PlotsPanel::place_of(double time_s, const QSizeF& size) const {
+  const std::vector<picture::LineChart> all = charts(size.width());
+  if (all.empty()) return std::nullopt;
+  const QRectF strip(QPointF(), QSizeF(size.width(), size.height() / static_cast<double>(all.size())));
+  const PlotPlace place = plot_place(strip, all.front(), fontMetrics());
+  const double part = (time_s - place.x.low) / place.x.length();
+  return part >= 0.0 && part <= 1.0 ? std::optional(place.plot.left() + part * place.plot.width())
+                                    : std::nullopt;
+}
+
+std::optional<double> PlotsPanel::time_at(const QPointF& at, const QSizeF& size) const {
+  const std::vector<picture::LineChart> all = charts(size.width());
+  if (all.empty() || !samples_ || samples_->times().empty()) return std::nullopt;
+  const double height = size.height() / static_cast<double>(all.size());
+  const auto n = static_cast<std::size_t>(
+      std::clamp(at.y() / height, 0.0, static_cast<double>(all.size()) - 1.0));
+  const QRectF strip(QPointF(), QSizeF(size.width(), height));
+  const PlotPlace place = plot_place(strip, all[n], fontMetrics());
+  const double part = (at.x() - place.plot.left()) / place.plot.width();
+  if (part < 0.0 || part > 1.0) return std::nullopt;
+  return std::clamp(place.x.low + part * place.x.length(), samples_->times().front(),
+                    samples_->times().back());
+}
+
+QString PlotsPanel::value_then(const QString& name) const {
+  return looked_back_to_s_ && samples_ ? number_text(samples_->at(name, *looked_back_to_s_))
+                                       : QString();
+}
+
+void PlotsPanel::paint_cursor(QPainter& painter, const QRectF& strip,
+                              const picture::LineChart& chart) const {
+  const PlotPlace place = plot_place(strip, chart, fontMetrics());
+  const double part = (*looked_back_to_s_ - place.x.low) / place.x.length();
+  if (part < 0.0 || part > 1.0) return;
+  const double x = std::round(place.plot.left() + part * place.plot.width());
+  painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
+  painter.drawLine(QPointF(x, place.plot.top()), QPointF(x, place.plot.bottom()));
 }
 
 void PlotsPanel::set_names(const QStringList& names, const QHash<QString, QString>& units) {
@@ -259,8 +316,14 @@ void PlotsPanel::draw(QPainter& painter, const QRectF& area) const {
   }
   const double height = area.height() / static_cast<double>(all.size());
   QRectF strip(area.topLeft(), QSizeF(area.width(), height));
-  for (const picture::LineChart& chart : charts(area.width())) {
+  const std::vector<picture::LineChart> shown = charts(area.width());
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    picture::LineChart chart = shown[i];
+    for (std::size_t k = 0; looked_back_to_s_ && k < chart.series.size(); ++k) {
+      chart.series[k].name += " = " + value_then(all[i].names[static_cast<int>(k)]).toStdString();
+    }
     draw_chart(painter, strip, chart, palette());
+    if (looked_back_to_s_) paint_cursor(painter, strip, chart);
     strip.translate(0.0, height);
   }
   painter.setPen(palette().color(QPalette::PlaceholderText));
@@ -339,8 +402,9 @@ std::vector<picture::LineChart> PlotsPanel::charts(double width) const {
 }
 
 Figures PlotsPanel::figures() const {
-  Figures figures{{tr("number"), tr("now"), tr("least"), tr("most"), tr("from [s]"), tr("to [s]")},
-                  {}};
+  const QString when =
+      looked_back_to_s_ ? tr("at %1 s").arg(*looked_back_to_s_, 0, 'f', 2) : tr("now");
+  Figures figures{{tr("number"), when, tr("least"), tr("most"), tr("from [s]"), tr("to [s]")}, {}};
   for (const QString& name : chosen()) {
     const std::vector<float>* const values = samples_ ? samples_->curve(name) : nullptr;
     if (!values || values->empty()) {
@@ -351,8 +415,9 @@ Figures PlotsPanel::figures() const {
     visit(name, [&](double, double value) {
       range = {std::min(range.low, value), std::max(range.high, value)};
     });
-    figures.rows.push_back({title_of(name), number_text(values->back()), number_text(range.low),
-                            number_text(range.high), number_text(samples_->times().front()),
+    const QString then = looked_back_to_s_ ? value_then(name) : number_text(values->back());
+    figures.rows.push_back({title_of(name), then, number_text(range.low), number_text(range.high),
+                            number_text(samples_->times().front()),
                             number_text(samples_->times().back())});
   }
   return figures;

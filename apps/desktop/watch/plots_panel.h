@@ -4,6 +4,7 @@
 #include <QHash>
 #include <QWidget>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -23,7 +24,9 @@ struct LineChart;
 namespace elsie::desktop {
 
 /// Lists all numbers of a run in a tree with check boxes, and plots the chosen ones over simulated
-/// time, through the samples that the engine stored from the beginning of the run.
+/// time, through the samples that the engine stored from the beginning of the run. While the window
+/// looks back, a line marks the shown time, and the legend has the values there. A press or a drag
+/// in a plot wishes to see that time.
 class PlotsPanel : public QWidget {
   Q_OBJECT
 
@@ -33,6 +36,12 @@ class PlotsPanel : public QWidget {
   /// The samples of the chosen numbers, which must outlive the panel. Call it again when they have
   /// changed.
   void set_samples(const Samples& samples);
+  /// Marks that time, s; none: no time.
+  void look_back(std::optional<double> time_s);
+  /// The place of a time in the first strip of a plot of this size, px from its left.
+  std::optional<double> place_of(double time_s, const QSizeF& size) const;
+  /// The time at a place in a plot of this size; none beside the axes.
+  std::optional<double> time_at(const QPointF& place, const QSizeF& size) const;
   /// The numbers that exist, and the units of those that have one. The choice stays, for numbers of
   /// the same names.
   void set_names(const QStringList& names, const QHash<QString, QString>& units = {});
@@ -46,7 +55,7 @@ class PlotsPanel : public QWidget {
   /// The robots of the chosen numbers, including numbers that are not known yet.
   QStringList chosen_robots() const;
   void choose(const QString& name, bool on);
-  /// The chosen numbers: their present values, and the least and greatest values.
+  /// The chosen numbers: their values at the shown time, and the least and greatest values.
   Figures figures() const;
   /// Draws axes, curves and legend, as on the screen: a strip for each unit.
   void draw(QPainter& painter, const QRectF& area) const;
@@ -62,6 +71,7 @@ class PlotsPanel : public QWidget {
 
  Q_SIGNALS:
   void choice_changed();
+  void time_wished(double time_s);
 
  private:
   /// Calls `see` with the time and the value of each sample of a number that has one.
@@ -79,12 +89,16 @@ class PlotsPanel : public QWidget {
   void fit();
   /// A chart for each strip, `width` px wide, all over the same time.
   std::vector<picture::LineChart> charts(double width) const;
+  void paint_cursor(QPainter& painter, const QRectF& strip, const picture::LineChart& chart) const;
+  /// The value of a number at the shown time of the past, for its legend; "" in the present.
+  QString value_then(const QString& name) const;
   std::string table() const;
 
   std::set<QString> chosen_;
   std::set<QString> names_;
   QHash<QString, QString> units_;
   const Samples* samples_ = nullptr;
+  std::optional<double> looked_back_to_s_;
   std::map<QString, QTreeWidgetItem*> items_;
   QTreeWidget* tree_;
   QWidget* plot_;

@@ -51,21 +51,71 @@ void SensorsPanel::set_robot(const QString& id) {
   }
 }
 
-void SensorsPanel::clear() { table_->clear(); }
+void SensorsPanel::clear() {
+  present_ = Json();
+  table_->clear();
+}
 
 void SensorsPanel::add(const Json& state) {
   const Json& robot = robot_of(state, robot_);
-  if (robot.is_null() || !robot.contains("sensors")) {
-    return;
+  if (!robot.is_null() && robot.contains("sensors")) {
+    present_ = robot;
+    show_all();
   }
+}
+
+void SensorsPanel::look_back(const Instant* then) {
+  then_ = then ? std::optional(*then) : std::nullopt;
+  show_all();
+}
+
+void SensorsPanel::show_all() {
   int row = 0;
   bool is_new = false;
-  for (const Json& sensor : member(robot, "sensors")) {
+  for (const Json& sensor : member(present_, "sensors")) {
+    const QString id = text_of(sensor, "id");
     for (const Json& field : member(sensor, "fields")) {
-      for (const Row& each : rows_of(field)) {
-        is_new |= show(row++, {text_of(sensor, "id"), text_of(sensor, "plugin"), each.name}, each);
+      for (const Row& each : rows_of(then_ ? shown(field, id) : field)) {
+        is_new |= show(row++, {id, text_of(sensor, "plugin"), each.name}, each);
       }
     }
+  }
+  row = show_heard(row, is_new);
+  while (table_->topLevelItemCount() > row) {
+    delete table_->topLevelItem(row);
+  }
+  if (is_new) {
+    for (int cell = 0; cell < 4; ++cell) {
+      table_->resizeColumnToContents(cell);
+    }
+    filter();
+  }
+}
+
+Json SensorsPanel::shown(const Json& field, const QString& sensor) const {
+  const QString name = robot_ + u'/' + sensor + u'/' + text_of(field, "name");
+  Json values = Json::array();
+  const auto add = [&](const QString& number) {
+    const double value = then_->number(number);
+    values.push_back(std::isfinite(value) ? Json(value) : Json());
+  };
+  const int size = integer_of(field, "size", 0);
+  for (int i = 0; i < size; ++i) add(name + u'.' + QString::number(i));
+  while (!values.empty() && values.back().is_null()) values.erase(values.size() - 1);
+  if (!field.contains("size")) add(name);
+  Json shown = field;
+  shown["values"] = std::move(values);
+  return shown;
+}
+
+/// Adds rows from this one on; returns the row after them.
+int SensorsPanel::show_heard(int row, bool& is_new) {
+  const Json& robot = then_ ? robot_of(then_->look, robot_) : present_;
+  const Json& sensors = member(present_, "sensors");
+  const bool may_hear = std::any_of(sensors.begin(), sensors.end(),
+                                    [](const Json& each) { return each.contains("by"); });
+  if (then_ && may_hear && !robot.contains("heard")) {
+    is_new |= show(row++, {{}, tr("heard"), tr("messages")}, {{}, tr("not stored"), {}});
   }
   for (const Json& heard : member(robot, "heard")) {
     const QString from = text_of(heard, "from"), kind = text_of(heard, "kind");
@@ -78,15 +128,7 @@ void SensorsPanel::add(const Json& state) {
       }
     }
   }
-  while (table_->topLevelItemCount() > row) {
-    delete table_->topLevelItem(row);
-  }
-  if (is_new) {
-    for (int cell = 0; cell < 4; ++cell) {
-      table_->resizeColumnToContents(cell);
-    }
-    filter();
-  }
+  return row;
 }
 
 std::vector<SensorsPanel::Row> SensorsPanel::rows_of(const Json& field) const {

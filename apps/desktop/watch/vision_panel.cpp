@@ -12,6 +12,21 @@
 #include "watch/state.h"
 
 namespace elsie::desktop {
+namespace {
+
+/// Null if it is none.
+QImage image_in(const Json& picture) {
+  const int width = integer_of(picture, "width", 0), height = integer_of(picture, "height", 0);
+  const QByteArray bytes = QByteArray::fromBase64(text_of(picture, "pixels").toLatin1());
+  if (width < 1 || height < 1 || bytes.size() != qsizetype{3} * width * height) {
+    return {};
+  }
+  return QImage(reinterpret_cast<const uchar*>(bytes.constData()), width, height, 3 * width,
+                QImage::Format_RGB888)
+      .copy();
+}
+
+}  // namespace
 
 VisionPanel::VisionPanel(QWidget* parent)
     : QWidget(parent), choose_(new QToolButton(this)), choices_(new QMenu(this)) {
@@ -28,25 +43,30 @@ VisionPanel::VisionPanel(QWidget* parent)
 }
 
 void VisionPanel::add(const Json& state) {
+  take(state, &Picture::image);
+  update();
+}
+
+void VisionPanel::look_back(const Instant* then) {
+  then_s_ = then ? std::optional(then->time_s) : std::nullopt;
+  for (auto& [name, picture] : pictures_) picture.then = QImage();
+  if (then) take(then->look, &Picture::then);
+  update();
+}
+
+void VisionPanel::take(const Json& state, QImage Picture::*where) {
   for (const Json& robot : member(state, "robots")) {
     for (const Json& camera : member(robot, "cameras")) {
       const QString name = text_of(robot, "id") + u'/' + text_of(camera, "id");
       for (const Json& picture : member(camera, "pictures")) {
-        take(name + u' ' + text_of(picture, "name"), picture);
+        const QImage image = image_in(picture);
+        if (!image.isNull()) offered(name + u' ' + text_of(picture, "name")).*where = image;
       }
     }
   }
-  update();
 }
 
-void VisionPanel::take(const QString& name, const Json& picture) {
-  const int width = integer_of(picture, "width", 0), height = integer_of(picture, "height", 0);
-  const QByteArray bytes = QByteArray::fromBase64(text_of(picture, "pixels").toLatin1());
-  if (width < 1 || height < 1 || bytes.size() != qsizetype{3} * width * height) {
-    return;
-  }
-  const QImage image(reinterpret_cast<const uchar*>(bytes.constData()), width, height, 3 * width,
-                     QImage::Format_RGB888);
+VisionPanel::Picture& VisionPanel::offered(const QString& name) {
   if (!pictures_.contains(name)) {
     QAction* action = choices_->addAction(name);
     action->setCheckable(true);
@@ -56,13 +76,29 @@ void VisionPanel::take(const QString& name, const Json& picture) {
       update();
     });
   }
-  pictures_[name].image = image.copy();
+  return pictures_[name];
 }
 
 void VisionPanel::clear() {
   pictures_.clear();
   choices_->clear();
   update();
+}
+
+const QImage& VisionPanel::image_of(const Picture& picture) const {
+  return then_s_ ? picture.then : picture.image;
+}
+
+QString VisionPanel::notice() const {
+  const QStringList names = shown();
+  if (pictures_.empty()) return tr("No camera has seen anything yet");
+  if (names.isEmpty()) return tr("No picture is chosen");
+  if (!then_s_) return {};
+  const bool has_some = std::any_of(
+      names.begin(), names.end(), [this](const QString& name) { return !picture(name).isNull(); });
+  return has_some ? QString()
+                  : tr("The pictures of %1 s are not stored: they are while this window is shown")
+                        .arg(*then_s_, 0, 'f', 2);
 }
 
 QStringList VisionPanel::pictures() const {
@@ -85,15 +121,17 @@ QStringList VisionPanel::shown() const {
 
 QImage VisionPanel::picture(const QString& name) const {
   const auto found = pictures_.find(name);
-  return found == pictures_.end() ? QImage() : found->second.image;
+  return found == pictures_.end() ? QImage() : image_of(found->second);
 }
 
 // Includes the mean colour, for users who do not see the picture.
 Figures VisionPanel::figures() const {
   Figures figures{{tr("picture"), tr("width [px]"), tr("height [px]"), tr("mean colour")}, {}};
   for (const auto& [name, picture] : pictures_) {
-    const QImage& image = picture.image;
-    const QImage mean = image.scaled(1, 1, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    const QImage& image = image_of(picture);
+    const QImage mean = image.isNull()
+                            ? image
+                            : image.scaled(1, 1, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     figures.rows.push_back({name, QString::number(image.width()), QString::number(image.height()),
                             mean.isNull() ? QString() : mean.pixelColor(0, 0).name()});
   }
@@ -129,21 +167,23 @@ QRect VisionPanel::cell(int n, int count) const {
 void VisionPanel::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const QStringList names = shown();
-  if (names.isEmpty()) {
+  if (const QString words = notice(); !words.isEmpty()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(
-        rect(), Qt::AlignCenter | Qt::TextWordWrap,
-        pictures_.empty() ? tr("No camera has seen anything yet") : tr("No picture is chosen"));
+    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, words);
     return;
   }
   const int line = fontMetrics().height();
   for (int n = 0; n < names.size(); ++n) {
     const QRect whole = cell(n, static_cast<int>(names.size())).adjusted(3, 0, -3, -3);
-    const QImage& image = pictures_[names[n]].image;
+    const QImage image = picture(names[n]);
     painter.setPen(palette().color(QPalette::WindowText));
     painter.drawText(QRect(whole.topLeft(), QSize(whole.width(), line)), Qt::AlignHCenter,
                      fontMetrics().elidedText(names[n], Qt::ElideLeft, whole.width()));
     const QRect room = whole.adjusted(0, line + 1, 0, 0);
+    if (image.isNull()) {
+      painter.drawText(room, Qt::AlignCenter | Qt::TextWordWrap, tr("not stored"));
+      continue;
+    }
     const QSize size = image.size().scaled(room.size(), Qt::KeepAspectRatio);
     painter.drawImage(QRect(room.left() + (room.width() - size.width()) / 2, room.top(),
                             size.width(), size.height()),
@@ -156,9 +196,9 @@ void VisionPanel::contextMenuEvent(QContextMenuEvent* event) {
   for (int n = 0; n < names.size(); ++n) {
     if (cell(n, static_cast<int>(names.size())).contains(event->pos())) {
       const QString name = names[n];
-      const QImage image = pictures_[name].image;  // a copy, for as long as the dialog is open
+      const QImage image = picture(name);  // a copy, for as long as the dialog is open
       QMenu menu;
-      menu.addAction(tr("Save picture..."), this, [&] {
+      QAction* save = menu.addAction(tr("Save picture..."), this, [&] {
         const QString file =
             QFileDialog::getSaveFileName(this, tr("Save picture"), {}, tr("Pictures (*.png)"));
         if (const QString why = file.isEmpty() ? QString() : save_picture(image, file);
@@ -166,6 +206,7 @@ void VisionPanel::contextMenuEvent(QContextMenuEvent* event) {
           QMessageBox::warning(this, tr("Save picture"), why);
         }
       });
+      save->setEnabled(!image.isNull());
       menu.addActions(actions());
       menu.exec(event->globalPos());
       return;

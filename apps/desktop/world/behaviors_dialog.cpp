@@ -6,6 +6,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <algorithm>
+#include <functional>
 
 #include "engine/workbench.h"
 #include "paint/warning_label.h"
@@ -15,6 +16,8 @@ namespace {
 
 constexpr int kPath = Qt::UserRole;  // of a behaviour that the robot already has; "" for a new one
 constexpr int kPlugin = Qt::UserRole + 1;
+// Behaviours need a coordinator; the first one is a sum.
+const QString kFirstCoordinator = QStringLiteral("<fusion_vector_summation/>");
 
 }  // namespace
 
@@ -110,6 +113,26 @@ void BehaviorsDialog::fill_pool() {
   enable();
 }
 
+// A behaviour that holds others is refused without any: it begins with the first that needs
+// nothing.
+QString BehaviorsDialog::beginning_of(const QString& plugin) const {
+  const std::vector<Kind> all = workbench_.catalog().plugins("behavior");
+  const auto holds = [&](const Kind& each) { return each.name == plugin && each.holds_behaviors; };
+  const auto is_simple = [](const Kind& each) {
+    return !each.holds_behaviors && each.needs.isEmpty() &&
+           std::none_of(each.fields.begin(), each.fields.end(), std::mem_fn(&Field::is_required));
+  };
+  const auto usual = std::find_if(all.begin(), all.end(), [&](const Kind& each) {
+    return each.name == "wander" && is_simple(each);
+  });
+  const auto first = usual != all.end() ? usual : std::find_if(all.begin(), all.end(), is_simple);
+  if (first == all.end() || std::none_of(all.begin(), all.end(), holds)) {
+    return '<' + plugin + "/>";
+  }
+  return QString("<%1><behaviors><%2/></behaviors><coordinator>%3</coordinator></%1>")
+      .arg(plugin, first->name, kFirstCoordinator);
+}
+
 void BehaviorsDialog::add() {
   if (const QListWidgetItem* chosen = pool_->currentItem()) {
     auto* item = new QListWidgetItem(chosen->text(), carried_);
@@ -130,7 +153,7 @@ void BehaviorsDialog::accept() {
     const QListWidgetItem* item = carried_->item(i);
     const QString path = item->data(kPath).toString();
     if (path.isEmpty()) {
-      edits << holder_ + "/behavior[+]=<" + item->text() + "/>";
+      edits << holder_ + "/behavior[+]=" + beginning_of(item->text());
     } else {
       kept << path;
     }
@@ -144,12 +167,11 @@ void BehaviorsDialog::accept() {
     QDialog::accept();
     return;
   }
-  // Behaviours need a coordinator; the first one of a robot is a sum.
   const bool has_some = carried_->count() > 0;
   const bool has_coordinator =
       place_of(workbench_.tree(), holder_ + "/coordinator").element != nullptr;
   if (has_some && !has_coordinator) {
-    edits << holder_ + "/coordinator[+]=<fusion_vector_summation/>";
+    edits << holder_ + "/coordinator[+]=" + kFirstCoordinator;
   } else if (!has_some && has_coordinator) {
     edits << holder_ + "/coordinator/@remove=true";
   }

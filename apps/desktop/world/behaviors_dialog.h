@@ -26,6 +26,8 @@ class BehaviorsDialog : public QDialog {
   void accept() override;
 
  private:
+  /// The element with which a behaviour of this plugin begins, as XML.
+  QString beginning_of(const QString& plugin) const;
   void fill_pool();
   void add();
   void take_away();

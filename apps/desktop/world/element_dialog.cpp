@@ -11,6 +11,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "engine/workbench.h"
 #include "paint/warning_label.h"
@@ -89,6 +90,8 @@ ElementDialog* ElementDialog::make(Workbench& workbench, const QString& holder, 
   dialog->kinds_ = list.isEmpty()
                        ? workbench.catalog().declared_in(place_of(workbench.tree(), holder))
                        : workbench.catalog().members(list);
+  // A behaviour that holds others cannot begin without them: it is in the dialog of behaviours.
+  std::erase_if(dialog->kinds_, [](const Kind& kind) { return kind.holds_behaviors; });
   for (const Kind& kind : dialog->kinds_) {
     auto* item = new QListWidgetItem(kind.name, dialog->choice_);
     item->setToolTip(kind.description);
@@ -230,29 +233,72 @@ void ElementDialog::add_page(const QString& title, const QString& path, const Ki
   whole->setContentsMargins(0, 0, 0, 0);
   whole->addWidget(scroll);
   tabs_->addTab(holder, title);
-  pages_.push_back({title, path, kind, form});
+  pages_.push_back({title, path, kind, form, form->values()});
   if (TrainingPage::learns(kind)) {
     offer_training(kind, form, makes_ ? holder_ + "/coordinator" : path);
   }
   if (makes_) {
     return;
   }
-  const auto change = [this, path, form](const QString& name, const QString& value,
-                                         bool taken_back) {
-    if (!at_once_->isChecked()) {
-      changes_[path][name] = taken_back ? QString() : value;
-      return;
+  connect(form, &Form::committed, this, [this, form](const QString& name, const QString& value) {
+    change(form, name, value, false);
+  });
+  connect(form, &Form::taken_back, this,
+          [this, form](const QString& name) { change(form, name, {}, true); });
+}
+
+void ElementDialog::change(const Form* form, const QString& name, const QString& value,
+                           bool taken_back) {
+  const auto page = std::find_if(pages_.begin(), pages_.end(),
+                                 [form](const Page& each) { return each.form == form; });
+  if (!at_once_->isChecked()) {
+    changes_[page->path][name] = taken_back ? QString() : value;
+    return;
+  }
+  page->applied.insert(name);
+  const QString attribute = attribute_path(page->path, name);
+  workbench_.edit({attribute + (taken_back ? "/@remove=true" : '=' + value)},
+                  tr("set %1 of %2").arg(name, title_at(workbench_.tree(), page->path)), attribute,
+                  page->form, [form = page->form, name](const Problems& problems) {
+                    form->show_problem(name,
+                                       problems.empty() ? QString() : problems.front().message);
+                  });
+}
+
+void ElementDialog::take_back_applied() {
+  QStringList edits, last;  // a name is last: the paths of the others have it
+  for (Page& page : pages_) {
+    for (const QString& name : std::exchange(page.applied, {})) {
+      const auto value = page.before.find(name);
+      const ElementPlace place = place_of(workbench_.tree(), page.path);
+      const bool is_set =
+          place.element && attributes_of(*place.element).contains(name.toStdString());
+      if (value != page.before.end()) {
+        (name == "id" ? last : edits) << attribute_path(page.path, name) + '=' + value->second;
+      } else if (is_set) {
+        edits << attribute_path(page.path, name) + "/@remove=true";
+      }
     }
-    const QString edit = attribute_path(path, name) + (taken_back ? "/@remove=true" : '=' + value);
-    workbench_.edit({edit}, tr("set %1 of %2").arg(name, title_at(workbench_.tree(), path)),
-                    edit.section('=', 0, 0), form, [form, name](const Problems& problems) {
-                      form->show_problem(name,
-                                         problems.empty() ? QString() : problems.front().message);
-                    });
+  }
+  edits += last;
+  if (!edits.isEmpty()) {
+    workbench_.edit(edits, tr("cancel the edit of %1").arg(title_at(workbench_.tree(), path_)));
+  }
+}
+
+void ElementDialog::rename(const QString& from, const QString& to) {
+  const auto follow = [&](QString& path) {
+    if (path == from || path.startsWith(from + '/')) path.replace(0, from.size(), to);
   };
-  connect(form, &Form::committed, this,
-          [change](const QString& name, const QString& value) { change(name, value, false); });
-  connect(form, &Form::taken_back, this, [change](const QString& name) { change(name, {}, true); });
+  follow(path_);
+  std::map<QString, std::map<QString, QString>> changes;
+  for (auto& [path, values] : changes_) {
+    QString now = path;
+    follow(now);
+    changes[now] = std::move(values);
+  }
+  changes_ = std::move(changes);
+  for (Page& page : pages_) follow(page.path);
 }
 
 QString ElementDialog::markup(const std::map<QString, QString>& changed) const {
@@ -315,6 +361,7 @@ void ElementDialog::reject() {
     set_busy(false);
     return;
   }
+  take_back_applied();
   QDialog::reject();
 }
 

@@ -4,6 +4,8 @@
 
 #include <QDialog>
 #include <functional>
+#include <map>
+#include <set>
 
 #include "engine/catalog.h"
 
@@ -24,8 +26,8 @@ class Workbench;
 /// Makes an element of a list, such as a sensor or a robot, or edits one.
 ///
 /// For a new element, its kinds are on the left and its form is on the right; OK adds it. For an
-/// existing one, with "Apply changes immediately" each entry is a separate edit; otherwise OK makes
-/// all as one edit, and Cancel makes none.
+/// existing one, with "Apply changes immediately" each entry is a separate edit, which Cancel takes
+/// back; otherwise OK makes all as one edit, and Cancel makes none.
 class ElementDialog : public QDialog {
   Q_OBJECT
 
@@ -41,6 +43,8 @@ class ElementDialog : public QDialog {
 
   /// Sets an attribute with which a new element begins, such as where it was dropped.
   void begin_with(const QString& name, const QString& value);
+  /// An element was renamed, perhaps the edited one.
+  void rename(const QString& from, const QString& to);
   /// Shows the form of this kind. Returns false if there is no kind of that name.
   bool choose(const QString& kind);
   /// The name of the chosen kind.
@@ -57,6 +61,8 @@ class ElementDialog : public QDialog {
     QString path;  // of the element that it edits; in a new one, the name of the part, or ""
     Kind kind;
     Form* form = nullptr;
+    std::map<QString, QString> before = {};  // the values with which it was opened
+    std::set<QString> applied = {};          // the attributes that were changed immediately
   };
 
   ElementDialog(Workbench& workbench, QWidget* parent);
@@ -68,6 +74,10 @@ class ElementDialog : public QDialog {
   /// `changed`: attributes that differ from those in the form.
   QString markup(const std::map<QString, QString>& changed = {}) const;
   QStringList edits() const;
+  /// A change in a form: makes it, or keeps it for OK.
+  void change(const Form* form, const QString& name, const QString& value, bool taken_back);
+  /// Takes back what was changed immediately.
+  void take_back_applied();
   bool has_all();
   void offer_training(const Kind& kind, Form* form, const QString& coordinator);
   bool trains_first();

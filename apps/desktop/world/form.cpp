@@ -191,6 +191,7 @@ QWidget* Form::make_editor(const Field& field) {
     edit->setPlaceholderText(field.default_text);
     connect(edit, &QLineEdit::editingFinished, this,
             [this, edit, name] { take_typed(name, edit); });
+    connect(edit, &QLineEdit::textEdited, this, &Form::typed);
     editor = edit;
   }
   editor->setObjectName(name);
@@ -258,6 +259,7 @@ Form::Row Form::make_row(const Field& field) {
   row.live = new QLabel;
   row.live->setObjectName(name + "_live");
   row.live->setIndent(fontMetrics().averageCharWidth());
+  row.live->setWordWrap(true);
   row.live->hide();
   row.reset = new QToolButton;
   row.reset->setText("\u21ba");
@@ -323,7 +325,17 @@ bool Form::take_typed(const QString& name, QLineEdit* edit) {
   edit->setModified(false);
   const bool is_right = commit(name, edit->text());
   edit->setModified(!is_right);
+  Q_EMIT typed();
   return is_right;
+}
+
+std::map<QString, QString> Form::unfinished() const {
+  std::map<QString, QString> texts;
+  for (const Row& row : rows_) {
+    const auto* edit = qobject_cast<QLineEdit*>(row.editor);
+    if (edit && edit->isModified()) texts[row.field.name] = edit->text();
+  }
+  return texts;
 }
 
 bool Form::finish() {
@@ -345,6 +357,7 @@ void Form::drop_typed() {
     row.problem->say({});
     row.live->hide();
   }
+  Q_EMIT typed();
 }
 
 bool Form::commit(const QString& name, const QString& value) {

@@ -35,6 +35,8 @@ class Form : public QWidget {
   const std::map<QString, QString>& values() const { return values_; }
   /// Sets a value as if the user had entered it.
   void set_value(const QString& name, const QString& value);
+  /// What is typed and not entered.
+  std::map<QString, QString> unfinished() const;
   /// Enters unfinished input; returns false if some of it is not a value.
   bool finish();
   /// Discards invalid input and the messages about it.
@@ -53,6 +55,8 @@ class Form : public QWidget {
   void committed(const QString& name, const QString& value);
   /// The value was reset to its default.
   void taken_back(const QString& name);
+  /// unfinished() may have changed.
+  void typed();
 
  private:
   struct Row {

@@ -1,5 +1,6 @@
 #include "world/properties.h"
 
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -94,6 +95,13 @@ Properties::Properties(Workbench& workbench, QWidget* parent)
   connect(form_, &Form::taken_back, this, [this](const QString& name) {
     change(path_, name, attribute_path(path_, name) + "/@remove=true");
   });
+  connect(form_, &Form::typed, this, [this] {
+    std::vector<Typed> typed;
+    for (const auto& [name, text] : form_->unfinished()) {
+      typed.push_back({attribute_path(path_, name), text});
+    }
+    workbench_.keep_typed(std::move(typed));
+  });
   refresh();
 }
 
@@ -153,14 +161,14 @@ void Properties::show_state(const Json& state) {
   if (path_.contains("/behavior[")) {
     visit_weights(state, [this](const QString& path, double weight) {
       if (path == path_) {
-        form_->show_live("priority", tr("weight now %1").arg(weight, 0, 'g', 3));
+        show_live("priority", tr("weight"), QString::number(weight, 'g', 3));
       }
     });
   }
   for (const Json& robot : member(state, "robots")) {
     if ("robot[" + text_of(robot, "id") + ']' == robot_path(path_)) {
-      show_number("max_speed", number_of(robot, "speed"), 2);
-      show_number("energy", number_of(robot, "energy"), 0);
+      show_number("max_speed", tr("speed"), number_of(robot, "speed"), 2, tr("m/s"));
+      show_number("energy", tr("energy"), number_of(robot, "energy"), 0, {});
     }
   }
 }
@@ -173,15 +181,24 @@ void Properties::show_pose(double x, double y, double heading_deg) {
 }
 
 void Properties::show_last_pose() {
-  show_number("x", pose_[0], 2);
-  show_number("y", pose_[1], 2);
-  show_number("heading_deg", pose_[2], 0);
+  show_number("x", QStringLiteral("x"), pose_[0], 2, tr("m"));
+  show_number("y", QStringLiteral("y"), pose_[1], 2, tr("m"));
+  show_number("heading_deg", tr("heading"), pose_[2], 0, tr("deg"));
 }
 
 // Unknown values are not shown.
-void Properties::show_number(const QString& name, double value, int digits) {
-  form_->show_live(name,
-                   std::isfinite(value) ? tr("now %1").arg(value, 0, 'f', digits) : QString());
+void Properties::show_number(const QString& name, const QString& title, double value, int digits,
+                             const QString& unit) {
+  const QString text = QString::number(value, 'f', digits);
+  show_live(name, title, std::isfinite(value) ? (text + ' ' + unit).trimmed() : QString());
+}
+
+void Properties::show_live(const QString& name, const QString& title, const QString& value) {
+  const bool is_past = workbench_.time_s() < workbench_.latest_s();
+  const QString words = is_past ? tr("at %1 s: %2 %3") : tr("now, at %1 s: %2 %3");
+  form_->show_live(name, value.isEmpty()
+                             ? QString()
+                             : words.arg(workbench_.time_s(), 0, 'f', 2).arg(title, value));
 }
 
 void Properties::refresh() {
@@ -200,6 +217,7 @@ void Properties::refresh() {
   }
   title_->setText(path_.isEmpty() ? tr("World") : described->title);
   about_->setText(described->kind.description);
+  form_->set_folder(QFileInfo(workbench_.file()).absolutePath());
   form_->show_fields(described->kind.fields, described->values);
   form_->filter(filter_->text());
   // A narrow window takes its width from other panels: the form cannot be scrolled to the side.

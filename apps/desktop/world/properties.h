@@ -30,10 +30,12 @@ class Properties : public QWidget {
   void show_list(const QString& holder, const QString& list);
   /// The shown object was renamed.
   void rename(const QString& from, const QString& to);
-  /// Shows present values of the selected object from a `state` event: for a behaviour the weight
-  /// that its coordinator gives it, for a robot its speed and energy.
+  /// Shows values of the selected object at the shown time, from a `state` event or
+  /// Instant::state_of(): for a behaviour the weight that its coordinator gives it, for a robot its
+  /// speed and energy.
   void show_state(const Json& state);
-  /// Shows where the selected object is now, next to its place at the start; m and degrees.
+  /// Shows where the selected object is at the shown time, next to its place at the start; m and
+  /// degrees.
   void show_pose(double x, double y, double heading_deg);
   const QString& path() const { return path_; }
   Form& form() { return *form_; }
@@ -46,7 +48,9 @@ class Properties : public QWidget {
   void refresh_list();
   void change(const QString& path, const QString& name, const QString& edit);
   void show_last_pose();
-  void show_number(const QString& name, double value, int digits);
+  void show_number(const QString& name, const QString& title, double value, int digits,
+                   const QString& unit);
+  void show_live(const QString& name, const QString& title, const QString& value);
 
   Workbench& workbench_;
   QString path_;

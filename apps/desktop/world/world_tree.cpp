@@ -21,6 +21,7 @@ namespace {
 
 constexpr int kPathRole = Qt::UserRole;
 constexpr int kIsList = Qt::UserRole + 1;
+constexpr int kListName = Qt::UserRole + 2;
 
 QString detail_of(const Json& element) {
   QStringList parts;
@@ -38,6 +39,9 @@ QString label_of(const Json& element) {
   const QString title = title_of(element), name = name_of(element);
   return title == name ? name : title + " (" + name + ')';
 }
+
+/// The name of the list in a row: "sensors".
+QString list_of_row(const QTreeWidgetItem& row) { return row.data(0, kListName).toString(); }
 
 QString team_of(const Json& robot) {
   const QString team = attribute(robot, "team");
@@ -96,7 +100,8 @@ WorldTree::WorldTree(Workbench& workbench, QString team, QWidget* parent)
       Q_EMIT selected(chosen_);
       const QList<QTreeWidgetItem*> rows = tree_->selectedItems();
       if (rows.size() == 1 && rows.front()->data(0, kIsList).toBool()) {
-        Q_EMIT list_selected(rows.front()->data(0, kPathRole).toString(), rows.front()->text(0));
+        Q_EMIT list_selected(rows.front()->data(0, kPathRole).toString(),
+                             list_of_row(*rows.front()));
       }
     }
   });
@@ -105,9 +110,7 @@ WorldTree::WorldTree(Workbench& workbench, QString team, QWidget* parent)
   tree_->installEventFilter(this);
 }
 
-// A right click on an element opens its editor; on a list or an empty place, the menu of the floor;
-// on a network that has learned, its own menu, which clears it. The menu key opens the menu of the
-// selected element.
+// The event of the menu key goes to the tree, that of the mouse to what it shows.
 bool WorldTree::eventFilter(QObject* watched, QEvent* event) {
   if (watched == tree_ && event->type() == QEvent::KeyPress) {
     const int key = static_cast<QKeyEvent*>(event)->key();
@@ -117,25 +120,38 @@ bool WorldTree::eventFilter(QObject* watched, QEvent* event) {
       return true;
     }
   }
-  if (watched != tree_->viewport() || event->type() != QEvent::ContextMenu) {
-    return QWidget::eventFilter(watched, event);
+  if (event->type() == QEvent::ContextMenu) {
+    const auto& wish = *static_cast<QContextMenuEvent*>(event);
+    const bool is_by_mouse = wish.reason() == QContextMenuEvent::Mouse;
+    if (watched == (is_by_mouse ? tree_->viewport() : static_cast<QObject*>(tree_))) {
+      wish_menu(wish);
+      return true;
+    }
   }
-  const auto* wish = static_cast<QContextMenuEvent*>(event);
-  const bool is_by_mouse = wish->reason() == QContextMenuEvent::Mouse;
-  const QTreeWidgetItem* item = is_by_mouse ? tree_->itemAt(wish->pos()) : tree_->currentItem();
-  const bool is_thing = item && !item->data(0, kIsList).toBool();
-  const QString path = is_thing ? item->data(0, kPathRole).toString() : QString();
+  return QWidget::eventFilter(watched, event);
+}
+
+// A right click on an element opens its editor; on a list, its menu; on an empty place, the menu of
+// the floor; on a network that has learned, its own menu, which clears it. The menu key opens the
+// menu of the selected element or list.
+void WorldTree::wish_menu(const QContextMenuEvent& wish) {
+  const bool is_by_mouse = wish.reason() == QContextMenuEvent::Mouse;
+  const QTreeWidgetItem* item = is_by_mouse ? tree_->itemAt(wish.pos()) : tree_->currentItem();
+  const QString path = item ? item->data(0, kPathRole).toString() : QString();
   const QPoint at = is_by_mouse || !item
-                        ? wish->globalPos()
+                        ? wish.globalPos()
                         : tree_->viewport()->mapToGlobal(tree_->visualItemRect(item).center());
+  if (item && item->data(0, kIsList).toBool()) {
+    Q_EMIT list_menu_wished(path, list_of_row(*item), at);
+    return;
+  }
   const ElementPlace place = place_of(workbench_.tree(), path);
   const bool has_learned = place.element && !attribute(*place.element, "weights").isEmpty();
-  if (is_thing && is_by_mouse && !has_learned) {
+  if (item && is_by_mouse && !has_learned) {
     Q_EMIT edit_wished(path);
   } else {
     Q_EMIT menu_wished(path, at);
   }
-  return true;
 }
 
 void WorldTree::wish_edit(const QTreeWidgetItem* item) {
@@ -246,6 +262,7 @@ void WorldTree::build(const std::vector<Shown>& shown) {
     keys_.push_back(key);
     item->setData(0, kPathRole, place.path);
     item->setData(0, kIsList, !place.list.isEmpty());
+    item->setData(0, kListName, place.list.isEmpty() ? QString() : name_of(*place.element));
     if (place.list.isEmpty()) {
       items_.insert(place.path, item);
     }

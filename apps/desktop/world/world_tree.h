@@ -7,6 +7,7 @@
 
 #include "engine/elements.h"
 
+class QContextMenuEvent;
 class QLineEdit;
 class QTreeWidget;
 class QTreeWidgetItem;
@@ -45,6 +46,7 @@ class WorldTree : public QWidget {
   /// A button of the team was pressed: adds to the list where `path` is selected; "": in the world.
   void add_wished(const QString& path, const QString& list);
   void menu_wished(const QString& path, const QPoint& global);
+  void list_menu_wished(const QString& holder, const QString& list, const QPoint& global);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -57,6 +59,7 @@ class WorldTree : public QWidget {
   };
 
   void wish_edit(const QTreeWidgetItem* item);
+  void wish_menu(const QContextMenuEvent& wish);
   void make_team_buttons();
   std::vector<Shown> places() const;
   void build(const std::vector<Shown>& shown);
