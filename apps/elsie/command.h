@@ -37,6 +37,7 @@ void add_fuzzy_command(CLI::App& program, Job& job);
 void add_batch_command(CLI::App& program, Job& job);
 void add_merge_command(CLI::App& program, Job& job);
 void add_replay_command(CLI::App& program, Job& job);
+void add_page_command(CLI::App& program, Job& job);
 void add_explain_command(CLI::App& program, Job& job);
 void add_report_command(CLI::App& program, Job& job);
 void add_test_plugin_command(CLI::App& program, Job& job);

@@ -40,6 +40,7 @@ Examples:
   elsie run worlds/maze.xml --set 'robot[r1]/@max_speed=0.3' --json
   elsie run worlds/clutter.xml --record clutter.mcap
   elsie explain clutter.mcap --picture clutter.png
+  elsie page clutter.mcap
   elsie batch experiments/top_speed.xml
   elsie check worlds/*.xml
   elsie describe wander

@@ -14,12 +14,13 @@ namespace {
 /// In the order in which the help lists them, after `elsie run`.
 void add_commands(CLI::App& program, Job& job) {
   describe_formats(*program.get_subcommand("run"));
-  for (const auto add :
-       {add_explain_command, add_check_command, add_batch_command, add_replay_command,
-        add_report_command, add_merge_command, add_picture_command, add_plugins_command,
-        add_describe_command, add_schema_command, add_new_command, add_build_command,
-        add_test_plugin_command, add_train_command, add_fuzzy_command, add_python_command,
-        add_manual_command, add_completion_command, add_session_command}) {
+  for (const auto add : {add_explain_command,    add_page_command,        add_check_command,
+                         add_batch_command,      add_replay_command,      add_report_command,
+                         add_merge_command,      add_picture_command,     add_plugins_command,
+                         add_describe_command,   add_schema_command,      add_new_command,
+                         add_build_command,      add_test_plugin_command, add_train_command,
+                         add_fuzzy_command,      add_python_command,      add_manual_command,
+                         add_completion_command, add_session_command}) {
     add(program, job);
   }
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "timeline_parts.h"
 
@@ -48,6 +49,18 @@ Ink BehaviorInks::of(const traces::TraceRobot& robot, int member) const {
 Ink BehaviorInks::of_decider(const traces::TraceRobot& robot, traces::Decider decider) const {
   if (decider >= 0) return of(robot, decider);
   return decider == traces::kTogether ? kTogetherInk : kPaper;
+}
+
+std::map<std::string, Colour> behavior_colours(const traces::Trace& trace) {
+  const auto whole = [](double part) {
+    return static_cast<std::uint8_t>(std::lround(255.0 * part));
+  };
+  const BehaviorInks inks(trace);
+  std::map<std::string, Colour> colours;
+  for (const auto& [path, ink] : inks.by_path()) {
+    colours[path] = {whole(ink.red), whole(ink.green), whole(ink.blue)};
+  }
+  return colours;
 }
 
 }  // namespace elsie::picture

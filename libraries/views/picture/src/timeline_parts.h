@@ -22,6 +22,7 @@ class BehaviorInks {
   Ink of(const traces::TraceRobot& robot, int member) const;
   /// The member's colour; grey for several deciders, white for none.
   Ink of_decider(const traces::TraceRobot& robot, traces::Decider decider) const;
+  const std::map<std::string, Ink>& by_path() const { return by_path_; }
 
  private:
   std::map<std::string, Ink> by_path_;

@@ -49,6 +49,10 @@ constexpr const char* kTraceKind = "trace";
 constexpr const char* kCoordinator = "coordinator";
 constexpr const char* kBehaviors = "behaviors";
 
+// foxglove.LogLevel of events.
+constexpr int kInfo = 2;
+constexpr int kWarning = 3;
+
 // Frames: the world, robots and their segments, boxes that may move.
 constexpr const char* kWorldFrame = "world";
 inline std::string robot_frame(std::string_view robot) { return "robot/" + std::string(robot); }

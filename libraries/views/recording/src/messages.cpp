@@ -13,10 +13,6 @@ namespace {
 
 constexpr std::uint64_t kSecond = 1'000'000'000;
 
-// foxglove.LogLevel
-constexpr int kInfo = 2;
-constexpr int kWarning = 3;
-
 }  // namespace
 
 std::string text_of(const Json& message) {

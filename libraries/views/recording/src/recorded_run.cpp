@@ -25,9 +25,21 @@ double number(const Json& object, const char* name) { return object.at(name).get
 /// Collects from the messages the data for the picture.
 class Follower final : public Visitor {
  public:
-  Follower(RecordedRun& run, double until_s) : run_(run), until_s_(until_s) {}
+  using See = std::function<void(const RecordedRun&)>;
+
+  Follower(RecordedRun& run, double until_s, See see = {})
+      : run_(run), until_s_(until_s), see_(std::move(see)) {}
+
+  /// Shows the last sample.
+  void finish() {
+    if (see_ && is_unseen_) see_(run_);
+  }
 
   void message(const mcap::Channel& channel, const mcap::Message& message) override {
+    if (see_ && is_unseen_ && message.log_time_ns > seen_from_ns_) {
+      see_(run_);
+      is_unseen_ = false;
+    }
     if (static_cast<double>(message.log_time_ns) / kSecondNs > until_s_ + 0.5 / kSecondNs) {
       return;
     }
@@ -139,6 +151,8 @@ class Follower final : public Visitor {
     const double time_s = static_cast<double>(time_ns) / kSecondNs;
     track.now = pose;
     run_.shown_s = time_s;
+    is_unseen_ = true;
+    seen_from_ns_ = time_ns;
     // The last sample of a run may be between two periods.
     if (!sampling_ && run_.period_s > 0.0) {
       sampling_.emplace(run_.period_s);
@@ -218,6 +232,9 @@ class Follower final : public Visitor {
   void read_event(const Json& event, std::uint64_t time_ns) {
     const std::string robot = event.at("name").get<std::string>();
     const std::string name = event.at("event").get<std::string>();
+    run_.events.push_back({static_cast<double>(time_ns) / kSecondNs, robot, name,
+                           event.at("detail").get<std::string>(),
+                           event.at("level").get<int>() >= kWarning});
     if (!ids_.contains(robot)) {
       return;
     }
@@ -233,26 +250,21 @@ class Follower final : public Visitor {
 
   RecordedRun& run_;
   double until_s_;
-  std::set<std::string> ids_;                            // of the robots that are present
-  std::map<std::string, Memory> memory_;                 // of each of them
+  See see_;
+  bool is_unseen_ = false;                // true: there is a sample that see_ did not see
+  std::uint64_t seen_from_ns_ = 0;        // its time
+  std::set<std::string> ids_;             // of the robots that are present
+  std::map<std::string, Memory> memory_;  // of each of them
   std::unordered_map<std::string, std::size_t> places_;  // of the tracks, by robot
   std::optional<traces::Sampling> sampling_;
   std::uint64_t sampled_ns_ = ~0ULL;  // when the last state was sampled
   bool is_due_ = false;               // true: that state belongs to the path
 };
 
-}  // namespace
-
-RecordedRun read_recorded_run(const std::filesystem::path& file, double until_s) {
-  RecordedRun run;
-  Follower follower(run, until_s);
-  read_file(file, run, follower);
-  return run;
-}
-
-void save_picture(const RecordedRun& run, const plugin::Host& drives,
-                  const std::vector<std::string>& subtitles, const std::filesystem::path& file,
-                  const picture::Size& size) {
+/// Draws a run as it was. The world of the view lives as long as the call.
+template <class Draw>
+auto with_view(const RecordedRun& run, const plugin::Host& drives,
+               const std::vector<std::string>& subtitles, const Draw& draw) {
   world::World world = picture::bodies_of(run.world_xml, run.world_file, drives);
   for (world::Obstacle& box : world.obstacles) {
     const auto start = run.starts.find(box.id);
@@ -291,7 +303,38 @@ void save_picture(const RecordedRun& run, const plugin::Host& drives,
   }
   view.subtitles = subtitles;
   view.path_period_s = run.period_s;
-  picture::save_top_view(view, file, size);
+  return draw(view);
+}
+
+}  // namespace
+
+RecordedRun read_recorded_run(const std::filesystem::path& file, double until_s) {
+  RecordedRun run;
+  Follower follower(run, until_s);
+  read_file(file, run, follower);
+  return run;
+}
+
+RecordedRun watch_recorded_run(const std::filesystem::path& file,
+                               const std::function<void(const RecordedRun&)>& see) {
+  RecordedRun run;
+  Follower follower(run, std::numeric_limits<double>::infinity(), see);
+  read_file(file, run, follower);
+  follower.finish();
+  return run;
+}
+
+void save_picture(const RecordedRun& run, const plugin::Host& drives,
+                  const std::vector<std::string>& subtitles, const std::filesystem::path& file,
+                  const picture::Size& size) {
+  with_view(run, drives, subtitles,
+            [&](const auto& view) { picture::save_top_view(view, file, size); });
+}
+
+std::string picture_svg(const RecordedRun& run, const plugin::Host& drives,
+                        const std::vector<std::string>& subtitles, const picture::Size& size) {
+  return with_view(run, drives, subtitles,
+                   [&](const auto& view) { return picture::top_view_svg(view, size); });
 }
 
 }  // namespace elsie::recording

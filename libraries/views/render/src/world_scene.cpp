@@ -1,6 +1,5 @@
 #include "elsie/render/world_scene.h"
 
-#include "elsie/world/colours.h"
 #include "elsie/world/floor.h"
 
 namespace elsie::render {
@@ -29,7 +28,7 @@ WorldScene::WorldScene(const world::World& world, const Look& look) {
         lamp.colour);
   }
   for (const world::Fixture& wall : world::walls_of(world.arena)) {
-    add(scene_, wall.shape, wall.frame, world::kSeenWall);
+    add(scene_, wall.shape, wall.frame, look.walls);
   }
   for (const world::Charger& charger : world.chargers) {
     const world::Fixture fixture = world::fixture_of(charger);
@@ -43,7 +42,7 @@ WorldScene::WorldScene(const world::World& world, const Look& look) {
   for (const world::Obstacle& box : world.obstacles) {
     world::Fixture fixture = world::fixture_of(box);
     boxes_.push_back(add(scene_, fixture.shape, {.origin = {0.0, 0.0, 0.5 * fixture.shape.size.z}},
-                         world::box_colour(world, box, world::kSeenBoxes)));
+                         world::box_colour(world, box, look.boxes)));
     fixture.frame.origin = {box.x, box.y, box.z};
     put(scene_, boxes_.back(), fixture.frame);
   }

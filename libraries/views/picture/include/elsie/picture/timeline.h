@@ -11,9 +11,11 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "elsie/api/image.h"
 #include "elsie/picture/size.h"
 #include "elsie/traces/trace_account.h"
 
@@ -46,5 +48,9 @@ struct Timeline {
 /// std::runtime_error when the file cannot be written; an existing file is then unchanged.
 void save_timeline(const Timeline& timeline, const std::filesystem::path& file,
                    const Size& size = {});
+
+/// The colours that behaviours have in timelines, by their paths: equal for equal paths on all
+/// robots.
+std::map<std::string, Colour> behavior_colours(const traces::Trace& trace);
 
 }  // namespace elsie::picture

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -48,6 +49,15 @@ struct RecordedGraphs {
   picture::GraphLights lights;
 };
 
+/// What happened to a robot or, with an empty `robot`, to the world.
+struct RecordedEvent {
+  double time_s = 0.0;
+  std::string robot;  // its id
+  std::string name;
+  std::string detail;
+  bool is_warning = false;
+};
+
 struct RecordedRun {
   std::string library;  // the program that wrote the file
   std::vector<RecordedChannel> channels;
@@ -79,7 +89,8 @@ struct RecordedRun {
   std::map<std::string, Pose> moved;                  // boxes that were seen, by their ids
   /// Where they began: in the file, or where a rule or an edit put them last.
   std::map<std::string, Pose> starts;
-  std::set<std::string> standing;  // ids of the boxes that were not yet collected
+  std::set<std::string> standing;     // ids of the boxes that were not yet collected
+  std::vector<RecordedEvent> events;  // until then, ascending in time
 };
 
 /// Reads a file to its end, whether it is whole or breaks off. `until_s`: the time for which robots
@@ -87,6 +98,11 @@ struct RecordedRun {
 /// or is damaged.
 RecordedRun read_recorded_run(const std::filesystem::path& file,
                               double until_s = std::numeric_limits<double>::infinity());
+
+/// The same to the end of the file, and calls `see` with the state at each sample, in order, when
+/// everything about its time has been read.
+RecordedRun watch_recorded_run(const std::filesystem::path& file,
+                               const std::function<void(const RecordedRun&)>& see);
 
 /// Reads who decided when. A file that breaks off is read as far as it goes, see Trace::cut_off.
 /// Throws mcap::McapError like read_recorded_run(), and for a file that Elsie did not record or
@@ -100,5 +116,8 @@ traces::Trace read_trace(const std::filesystem::path& file);
 void save_picture(const RecordedRun& run, const plugin::Host& drives,
                   const std::vector<std::string>& subtitles, const std::filesystem::path& file,
                   const picture::Size& size = {});
+/// The same picture as the text of an SVG.
+std::string picture_svg(const RecordedRun& run, const plugin::Host& drives,
+                        const std::vector<std::string>& subtitles, const picture::Size& size = {});
 
 }  // namespace elsie::recording

@@ -16,6 +16,7 @@
 #include "elsie/api/geometry.h"
 #include "elsie/render/scene.h"
 #include "elsie/simulation/camera_renderer.h"
+#include "elsie/world/colours.h"
 #include "elsie/world/parts.h"
 
 namespace elsie::render {
@@ -23,6 +24,9 @@ namespace elsie::render {
 struct Look {
   /// Chassis in their team's colour, for viewers rather than cameras.
   bool team_coloured_robots = false;
+  // Of walls, and of boxes without a colour.
+  Colour walls = world::kSeenWall;
+  world::BoxColours boxes = world::kSeenBoxes;
 };
 
 /// The scene of a world. Robots are the carriers of their bodies, by their index in the world.
@@ -45,15 +49,20 @@ class WorldScene {
 
   const Scene& scene() const { return scene_; }
 
- private:
+  /// What moves together, in the lists of the scene.
   using Body = std::vector<Placed>;
+  /// By the index of the box in the world.
+  const std::vector<Body>& boxes() const { return boxes_; }
+  /// The robot itself, then its segments; by its index in the world.
+  const std::vector<std::vector<Body>>& robots() const { return robots_; }
 
+ private:
   void add_robot(const world::Robot& robot, const Colour& colour);
 
   Scene scene_;
-  std::vector<Body> boxes_;                // the world's
-  std::vector<std::vector<Body>> robots_;  // each with its segments
-  std::size_t lights_from_ = 0;            // among the balls
+  std::vector<Body> boxes_;
+  std::vector<std::vector<Body>> robots_;
+  std::size_t lights_from_ = 0;  // among the balls
 };
 
 }  // namespace elsie::render

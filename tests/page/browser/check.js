@@ -1,0 +1,106 @@
+// Tries the page from within and passes its findings to the outer page as JSON: see test_browser.cpp.
+"use strict";
+addEventListener("load", async () => {
+  const found = { errors: window.pageErrors, width: innerWidth };
+  const pause = () => new Promise((go) => setTimeout(go, 60));
+  const press = (key, more = {}) => document.body.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true, ...more }));
+  const page = window.elsie;
+  try {
+    await pause();
+    found.dark = matchMedia("(prefers-color-scheme: dark)").matches;
+    found.at_load = { time: page.time, robot: page.robot };
+    found.resources = performance.getEntriesByType("resource").map((entry) => entry.name.slice(0, 60)).filter((name) => !name.startsWith("data:"));
+    found.space = page.shows_space;
+    found.end = page.run.end;
+    found.robots = page.run.robots.map((robot) => robot.id);
+    found.scripts = document.scripts.length;
+    found.images = document.images.length;
+    found.hacked = window.hacked ?? null;
+    found.scrollWidth = document.documentElement.scrollWidth;
+    found.beyond = [...document.querySelectorAll("main *")]
+      .filter((element) => element.getBoundingClientRect().right > innerWidth + 8.5)
+      .map((element) => element.outerHTML.slice(0, 120));
+    found.nameless = [...document.querySelectorAll("button, select, input, canvas[role]")]
+      .filter((element) => !(element.getAttribute("aria-label") || element.textContent.trim()))
+      .map((element) => element.outerHTML.slice(0, 120));
+
+    // Where robots are at three instants, and the colours of the places behind their fronts then and at the first instant.
+    found.instants = [0.25, 0.5, 1].map((part) => {
+      const time = part * page.run.end;
+      page.seek(time);
+      const robots = page.run.robots.map((robot) => {
+        const pose = page.pose(robot.id), half = 0.42 * robot.size[0];
+        const rear = [robot.middle[0] - half, robot.middle[1]];
+        const place = [pose.x + Math.cos(pose.h) * rear[0], pose.y + Math.sin(pose.h) * rear[0], robot.deck];
+        return { id: robot.id, pose, place, colour: robot.colour, seen: page.space && null, shown: found.space ? page.pixel(place) : null };
+      });
+      return { time, robots };
+    });
+    page.seek(0);
+    if (found.space) {
+      for (const instant of found.instants) for (const robot of instant.robots) robot.at_start = page.pixel(robot.place);
+    }
+
+    // Keys.
+    press("End");
+    found.at_end = page.time;
+    press("Home");
+    found.at_home = page.time;
+    press(" ");
+    found.plays = page.playing;
+    found.play_label = document.getElementById("play").getAttribute("aria-label");
+    press(" ");
+    found.pauses = !page.playing;
+    press("Home");
+    press(".");
+    found.first_event = [page.time, page.run.events.find((event) => event.time > 1e-3)?.time ?? 0];
+    press("2");
+    found.second = page.robot;
+
+    // The slider, its text for readers, and the address.
+    const slider = document.getElementById("time");
+    slider.value = page.run.end / 2;
+    slider.dispatchEvent(new Event("input"));
+    await pause();
+    found.slid = page.time;
+    found.text = slider.getAttribute("aria-valuetext");
+    found.address = location.hash;
+    location.hash = "#t=1.5&robot=" + encodeURIComponent(found.robots[0]);
+    await pause();
+    found.linked = { time: page.time, robot: page.robot };
+
+    // Touch: a finger turns the view, two fingers come nearer.
+    if (found.space) {
+      const canvas = document.getElementById("world"), box = canvas.getBoundingClientRect();
+      const touch = (type, pointerId, x, y) => canvas.dispatchEvent(new PointerEvent(type, {
+        pointerId, pointerType: "touch", bubbles: true, clientX: box.left + x, clientY: box.top + y, buttons: 1 }));
+      canvas.setPointerCapture = () => {};
+      const corner = () => page.project([1, 1, 0]).join();
+      const views = [corner()];
+      touch("pointerdown", 5, 60, 60);
+      touch("pointermove", 5, 110, 70);
+      touch("pointerup", 5, 110, 70);
+      page.seek(page.time);
+      views.push(corner());
+      touch("pointerdown", 6, 60, 60);
+      touch("pointerdown", 7, 100, 60);
+      touch("pointermove", 7, 160, 60);
+      touch("pointerup", 6, 60, 60);
+      touch("pointerup", 7, 160, 60);
+      page.seek(page.time);
+      views.push(corner());
+      found.views = new Set(views).size;
+    }
+
+    const picture = document.querySelector("#picture img");
+    found.picture = { shown: picture.getBoundingClientRect().width > 100, loaded: picture.naturalWidth > 0 };
+    found.lanes = document.querySelectorAll("#rows .row").length;
+    const chart = document.getElementById("chart"), bytes = chart.getContext("2d").getImageData(0, 0, chart.width, chart.height).data;
+    found.inked = bytes.some((byte, i) => i % 4 === 3 && byte > 200);
+    found.decides = document.getElementById("who").textContent;
+    found.listed = document.querySelectorAll("#events li").length;
+  } catch (error) {
+    found.errors.push(String(error.stack ?? error));
+  }
+  parent.postMessage(JSON.stringify(found), "*");
+});
