@@ -24,26 +24,39 @@ VisitAllPublished published_of_measures(const Simulation& simulation) {
       [&simulation](const simulation::VisitPublished& visit) { simulation.visit_published(visit); };
 }
 
-std::uint16_t Channels::schema(const std::string& name) {
+std::uint32_t Channels::schema(const std::string& name) {
   return schema(name, schema_of(name).dump());
 }
 
-std::uint16_t Channels::schema(const std::string& name, const std::string& text) {
-  const auto [known, is_new] = schemas_.try_emplace(name + "\n" + text, std::uint16_t{0});
+std::uint32_t Channels::schema(const std::string& name, const std::string& text) {
+  const auto [known, is_new] = schemas_.try_emplace(name + "\n" + text, std::uint32_t{0});
   if (is_new) {
-    known->second = out_.add_schema(name, "jsonschema", text);
+    known->second = out_.add_schema(name, text);
   }
   return known->second;
 }
 
-std::uint16_t Channels::add(const std::string& topic, std::uint16_t schema,
-                            std::map<std::string, std::string> metadata) {
-  return out_.add_channel(topic, schema, "json", std::move(metadata));
+std::uint32_t Channels::add(const std::string& topic, std::uint32_t schema,
+                            const std::map<std::string, std::string>& metadata) {
+  return out_.add_channel(topic, schema, metadata);
 }
 
-std::uint16_t Channels::add(const world::Robot& robot, const std::string& kind,
-                            std::uint16_t schema) {
+std::uint32_t Channels::add(const world::Robot& robot, const std::string& kind,
+                            std::uint32_t schema) {
   return add(robot_topic(robot.id, kind), schema, {{"robot", robot.id}, {"team", robot.team}});
+}
+
+std::vector<std::uint32_t> ids_of(const RobotChannels& channels) {
+  std::vector<std::uint32_t> ids{channels.pose, channels.state, channels.readings, channels.command,
+                                 channels.trace};
+  for (const auto& each : {channels.belief, channels.published, channels.sketches, channels.heard,
+                           channels.graphs, channels.lit}) {
+    if (each) ids.push_back(*each);
+  }
+  for (const CameraChannels& camera : channels.cameras) {
+    for (const auto& [name, id] : camera.of) ids.push_back(id);
+  }
+  return ids;
 }
 
 std::string kind_of(const Simulation& simulation, std::size_t r) {
@@ -74,7 +87,7 @@ std::string kind_of(const Simulation& simulation, std::size_t r) {
 RobotChannels robot_channels(Channels& channels, const Simulation& simulation, std::size_t r,
                              bool images) {
   const world::Robot& robot = *simulation.robot(r).description;
-  const auto own = [&](const std::string& kind, std::uint16_t schema) {
+  const auto own = [&](const std::string& kind, std::uint32_t schema) {
     return channels.add(robot, kind, schema);
   };
   const auto pose = channels.schema("foxglove.PoseInFrame");

@@ -1,4 +1,4 @@
-// The channels of a recording: those of each robot, and their schemas.
+// The channels of a run: those of each robot, and their schemas.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "elsie/mcap/writer.h"
+#include "elsie/recording/message_sink.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/traces/trace_rows.h"
 
@@ -21,40 +21,43 @@ namespace elsie::recording {
 VisitAllPublished published_of(const simulation::Simulation& simulation, std::size_t robot);
 VisitAllPublished published_of_measures(const simulation::Simulation& simulation);
 
-/// Adds channels to a file. The writer must outlive it.
+/// Adds channels to a sink, which must outlive it.
 class Channels {
  public:
-  explicit Channels(mcap::Writer& out) : out_(out) {}
+  explicit Channels(MessageSink& out) : out_(out) {}
 
   /// Adds each schema once, whatever it is used for.
-  std::uint16_t schema(const std::string& name);
-  std::uint16_t schema(const std::string& name, const std::string& text);
-  std::uint16_t add(const std::string& topic, std::uint16_t schema,
-                    std::map<std::string, std::string> metadata = {});
+  std::uint32_t schema(const std::string& name);
+  std::uint32_t schema(const std::string& name, const std::string& text);
+  std::uint32_t add(const std::string& topic, std::uint32_t schema,
+                    const std::map<std::string, std::string>& metadata = {});
   /// Of a robot.
-  std::uint16_t add(const world::Robot& robot, const std::string& kind, std::uint16_t schema);
+  std::uint32_t add(const world::Robot& robot, const std::string& kind, std::uint32_t schema);
 
  private:
-  mcap::Writer& out_;
-  std::map<std::string, std::uint16_t> schemas_;  // by name and text
+  MessageSink& out_;
+  std::map<std::string, std::uint32_t> schemas_;  // by name and text
 };
 
 struct CameraChannels {
   std::size_t sensor;
-  std::map<std::string, std::uint16_t, std::less<>> of;  // by the names of its pictures
+  std::map<std::string, std::uint32_t, std::less<>> of;  // by the names of its pictures
 };
 
 struct RobotChannels {
   std::size_t place;  // in the simulation
-  std::uint16_t pose, state, readings, command, trace;
-  std::optional<std::uint16_t> belief, published;
-  std::optional<std::uint16_t> sketches, heard, graphs, lit;  // each from the first on
+  std::uint32_t pose, state, readings, command, trace;
+  std::optional<std::uint32_t> belief, published;
+  std::optional<std::uint32_t> sketches, heard, graphs, lit;  // each from the first on
   std::vector<CameraChannels> cameras;
   TraceTexts texts;
   std::string kind;
   traces::TraceRows rows{};
   GraphNews graph_news{};
 };
+
+/// All of them.
+std::vector<std::uint32_t> ids_of(const RobotChannels& channels);
 
 /// The facts that determine a robot's channels.
 std::string kind_of(const simulation::Simulation& simulation, std::size_t robot);
