@@ -37,4 +37,22 @@ enum MeshKind : std::size_t {
 };
 std::array<Mesh, kMeshes> meshes();
 
+inline float single(double value) { return static_cast<float>(value); }
+
+/// A corner of a mesh in pictures for people, where faces that meet smoothly share a normal.
+/// `inset` is moved towards the middle along each axis, in units of a bevel.
+struct SmoothVertex {
+  float position[3];
+  float normal[3];
+  float inset[3];
+};
+struct SmoothMesh {
+  std::vector<SmoothVertex> vertices;
+  std::vector<std::uint16_t> indices;
+};
+/// The same meshes, rounder; a box has bevelled edges. Its first kBoxSides indices are a box
+/// without.
+inline constexpr int kBoxSides = 36;
+std::array<SmoothMesh, kMeshes> smooth_meshes();
+
 }  // namespace elsie::render

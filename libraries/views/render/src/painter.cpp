@@ -5,6 +5,9 @@
 
 #include "elsie/render/renderer.h"
 
+#include "floor_texture.h"
+#include "program.h"
+
 namespace elsie::render {
 namespace {
 
@@ -57,52 +60,17 @@ constexpr int kClipDistances = 4;
 
 enum Location : GLuint { position, normal, x_row, y_row, w_row, place, light, colour };
 
-[[noreturn]] void refuse(const char* what, const std::string& why) {
-  throw RenderError("the OpenGL driver refuses the " + std::string(what) +
-                    " with which cameras take their pictures: " + why);
-}
-
-GLuint compile(GLenum type, const char* source) {
-  const GLuint shader = glCreateShader(type);
-  glShaderSource(shader, 1, &source, nullptr);
-  glCompileShader(shader);
-  GLint compiled = GL_FALSE;
-  glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-  if (!compiled) {
-    char why[1024] = "";
-    glGetShaderInfoLog(shader, sizeof(why), nullptr, why);
-    refuse("shader", why);
-  }
-  return shader;
-}
-
 /// A program that shades what it draws by this fragment shader.
-GLuint link(const char* fragment_shader) {
-  const GLuint program = glCreateProgram();
-  for (const GLuint shader :
-       {compile(GL_VERTEX_SHADER, kVertexShader), compile(GL_FRAGMENT_SHADER, fragment_shader)}) {
-    glAttachShader(program, shader);
-    glDeleteShader(shader);  // deleted with the program
-  }
-  glLinkProgram(program);
-  GLint linked = GL_FALSE;
-  glGetProgramiv(program, GL_LINK_STATUS, &linked);
-  if (!linked) {
-    char why[1024] = "";
-    glGetProgramInfoLog(program, sizeof(why), nullptr, why);
-    refuse("program", why);
-  }
-  glUseProgram(program);
+GLuint link_with(const char* fragment_shader) {
+  const GLuint program = link(kVertexShader, fragment_shader);
   glUniform1f(glGetUniformLocation(program, "nearest"), static_cast<float>(kNearest));
   glUniform1f(glGetUniformLocation(program, "darkest"), static_cast<float>(kDarkestShade));
   return program;
 }
 
-const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
-
 }  // namespace
 
-Painter::Painter() : program_(link(kFragmentShader)) {
+Painter::Painter() : program_(link_with(kFragmentShader)) {
   glGenBuffers(1, &instances_);
   const std::array<Mesh, kMeshes> all = meshes();
   for (std::size_t i = 0; i < kMeshes; ++i) shapes_[i] = make(all[i]);
@@ -157,30 +125,14 @@ void Painter::draw(const Shape& shape, std::size_t first, std::size_t count) {
 
 void Painter::use_image(const std::shared_ptr<const Image>& image) {
   if (image_program_ == 0) {
-    image_program_ = link(kImageShader);
+    image_program_ = link_with(kImageShader);
     glGenTextures(1, &texture_);
   }
   glUseProgram(image_program_);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, texture_);
   if (image == image_) return;
-  GLint largest = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-  if (image->width > largest || image->height > largest) {
-    throw RenderError("cameras cannot see the image of the floor, which has " +
-                      std::to_string(image->width) + " x " + std::to_string(image->height) +
-                      " pixels: the OpenGL driver takes at most " + std::to_string(largest) +
-                      " in each direction; make the image smaller");
-  }
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, image->width, image->height, 0, GL_RGB, GL_UNSIGNED_BYTE,
-               image->bytes.data());
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
-    glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-  }
-  for (const GLenum edge : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
-    glTexParameteri(GL_TEXTURE_2D, edge, GL_CLAMP_TO_EDGE);
-  }
+  load_floor(*image, GL_NEAREST);
   image_ = image;
 }
 

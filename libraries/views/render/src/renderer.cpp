@@ -15,6 +15,7 @@
 #include "egl_context.h"
 #include "instances.h"
 #include "painter.h"
+#include "show_painter.h"
 
 namespace elsie::render {
 namespace {
@@ -65,6 +66,23 @@ class Renderer::Impl {
     }
   }
 
+  void compose(const Scene& scene, const View& view, const Style& style) {
+    check(std::span(&view, 1), 1);
+    const EglContext::Current current(context_);
+    if (!show_painter_) show_painter_.emplace();
+    show_painter_->compose(scene, view, style);
+  }
+
+  void expose(Shadows shadows, Exposure& exposure) {
+    const Camera& camera = show_painter_.value().camera();
+    if (exposure.passes() == 0) exposure.begin(camera.width, camera.height);
+    const EglContext::Current current(context_);
+    make_room(camera.width, camera.height);
+    show_painter_->paint(framebuffer_, shadows, exposure.passes());
+    read(camera.width, camera.height, exposure.next());
+    exposure.add();
+  }
+
   int largest() const { return largest_; }
   const std::string& device() const { return device_; }
 
@@ -104,8 +122,8 @@ class Renderer::Impl {
     glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width_, height_);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_);
     glBindRenderbuffer(GL_RENDERBUFFER, depth_);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width_, height_);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, width_, height_);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth_);
     if (glGetError() != GL_NO_ERROR ||
         glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
       const std::string size = std::to_string(width_) + " x " + std::to_string(height_);
@@ -115,17 +133,23 @@ class Renderer::Impl {
     }
   }
 
-  void read_back(const Atlas& atlas, std::span<Image* const> pictures) {
-    const auto row_bytes = static_cast<std::size_t>(atlas.width) * 4;
-    pixels_.resize(row_bytes * static_cast<std::size_t>(atlas.height));
+  /// Reads the first rows and columns of the framebuffer, four bytes for each pixel.
+  void read(int width, int height, std::uint8_t* pixels) const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, atlas.width, atlas.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels_.data());
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
       throw RenderError("the OpenGL driver (" + device_ +
                         ") failed to draw the pictures of cameras"
                         " (error " +
                         std::to_string(error) + ")");
     }
+  }
+
+  void read_back(const Atlas& atlas, std::span<Image* const> pictures) {
+    const auto row_bytes = static_cast<std::size_t>(atlas.width) * 4;
+    pixels_.resize(row_bytes * static_cast<std::size_t>(atlas.height));
+    read(atlas.width, atlas.height, pixels_.data());
     for (std::size_t i = 0; i < pictures.size(); ++i) {
       const Tile& tile = atlas.tiles[i];
       Image& picture = *pictures[i];
@@ -145,6 +169,7 @@ class Renderer::Impl {
 
   EglContext context_;
   std::optional<Painter> painter_;
+  std::optional<ShowPainter> show_painter_;  // made for the first picture for people
   GLuint framebuffer_ = 0, colour_ = 0, depth_ = 0;
   int width_ = 0, height_ = 0;  // of the framebuffer, px
   int largest_ = 0;
@@ -160,6 +185,12 @@ void Renderer::render(const Scene& scene, std::span<const View> views,
                       std::span<Image* const> pictures) {
   impl_->render(scene, views, pictures);
 }
+
+void Renderer::compose(const Scene& scene, const View& view, const Style& style) {
+  impl_->compose(scene, view, style);
+}
+
+void Renderer::expose(Shadows shadows, Exposure& exposure) { impl_->expose(shadows, exposure); }
 
 int Renderer::largest_size() const { return impl_->largest(); }
 const std::string& Renderer::device() const { return impl_->device(); }

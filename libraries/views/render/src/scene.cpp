@@ -15,11 +15,12 @@ Frame lying(const Frame& upright) {
 }  // namespace
 
 std::vector<Placed> add(Scene& scene, const Shape& shape, const Frame& middle, const Colour& colour,
-                        std::size_t carrier) {
+                        std::size_t carrier, Material material) {
   std::vector<Placed> placed;
   const auto append = [&](auto& list, const Piece& piece, auto solid) {
     placed.push_back({piece.shape.kind, list.size(), piece.frame});
     list.push_back(std::move(solid));
+    list.back().material = material;
   };
   for (const Piece& piece : pieces_of(shape, middle)) {
     const Shape& own = piece.shape;

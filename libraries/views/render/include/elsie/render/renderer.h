@@ -17,6 +17,7 @@
 
 #include "elsie/api/image.h"
 #include "elsie/base/error.h"
+#include "elsie/render/exposure.h"
 #include "elsie/render/scene.h"
 
 namespace elsie::render {
@@ -44,6 +45,11 @@ class Renderer {
   /// Throws std::invalid_argument for a camera whose size or field of view is out of range (sizes
   /// from 1 to largest_size() pixels, angles in (0, pi)), RenderError when the driver fails.
   void render(const Scene& scene, std::span<const View> views, std::span<Image* const> pictures);
+
+  /// Chooses what the next passes of expose() show: for people, see exposure.h. Throws as render().
+  void compose(const Scene& scene, const View& view, const Style& style);
+  /// Adds a pass to a picture of the size of the composed view's camera.
+  void expose(Shadows shadows, Exposure& exposure);
 
   /// The largest width and height of a picture, in pixels.
   int largest_size() const;

@@ -1,10 +1,12 @@
-// A scene as plain data: boxes, prisms, cylinders, balls, and a floor with marks.
+// A scene as plain data: boxes, prisms, cylinders, balls, and a floor with marks; and what pictures
+// for people show besides.
 //
 // Lengths are in m, frames in the world. Colours are those in full light; faces turned away from it
 // are darker, down to kDarkestShade, with the same hue and saturation.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -18,6 +20,14 @@ namespace elsie::render {
 /// The carrier of things without a carrier, and of cameras that nobody carries.
 inline constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
 
+/// What a surface is made of in pictures for people. Cameras see its colour only.
+enum class Material : std::uint8_t {
+  plain,
+  wall,     // panels, with a darker foot
+  wheel,    // a tyre with spokes, so that its turning is seen
+  glowing,  // without shade
+};
+
 /// The brightness of the darkest face of a surface, relative to its colour in full light.
 inline constexpr double kDarkestShade = 0.6;
 
@@ -27,6 +37,7 @@ struct Box {
   Colour colour;
   std::size_t carrier = kNobody;  // its cameras do not see the box
   bool visible = true;
+  Material material = Material::plain;
 };
 
 /// A prism over a convex outline, around the up axis of its frame.
@@ -37,6 +48,7 @@ struct Prism {
   Colour colour;
   std::size_t carrier = kNobody;
   bool visible = true;
+  Material material = Material::plain;
 };
 
 /// A cylinder about the left axis of its frame, whose origin is in its middle.
@@ -47,6 +59,7 @@ struct Cylinder {
   Colour colour;
   std::size_t carrier = kNobody;
   bool visible = true;
+  Material material = Material::plain;
 };
 
 struct Ball {
@@ -55,6 +68,7 @@ struct Ball {
   Colour colour;
   std::size_t carrier = kNobody;
   bool visible = true;
+  Material material = Material::plain;
 };
 
 /// A disc on the floor; later marks cover earlier ones.
@@ -76,6 +90,23 @@ struct FlatPatch {
   Colour colour;
 };
 
+/// A line that only people see.
+struct Stroke {
+  Vector3 from, to;
+  Colour colour;
+  double opacity = 1.0;
+  double width = 1.0;  // px
+  double dash = 0.0;   // px, of each dash and gap; 0: no gaps
+};
+
+/// A light that only people see as such: a halo, and a pool of light on the floor below it.
+struct Glow {
+  Vector3 at;
+  double halo = 0.0;  // m, radius
+  double pool = 0.0;  // m, radius; 0: none
+  Colour colour;
+};
+
 struct Scene {
   Colour floor{80, 80, 80};  // unlimited, at z = 0; invisible from below
   FloorImage image;
@@ -86,6 +117,9 @@ struct Scene {
   std::vector<Cylinder> cylinders;
   std::vector<Ball> balls;
   std::vector<Mark> marks;
+  std::vector<Stroke> drawing;  // on the floor, below all that stands there; fades in the distance
+  std::vector<Stroke> strokes;  // in space; what is behind something is fainter
+  std::vector<Glow> glows;
 };
 
 /// The place of a shape's piece in one of a scene's lists, and the frame of its middle in its body.
@@ -98,7 +132,7 @@ struct Placed {
 /// Adds the pieces of a shape, whose middle has this frame in its body, with the body at the
 /// origin.
 std::vector<Placed> add(Scene& scene, const Shape& shape, const Frame& middle, const Colour& colour,
-                        std::size_t carrier = kNobody);
+                        std::size_t carrier = kNobody, Material material = Material::plain);
 /// Moves a body. None: it becomes invisible.
 void put(Scene& scene, const std::vector<Placed>& body, const std::optional<Frame>& frame);
 
