@@ -163,10 +163,11 @@ plugin::Host load_plugins(const PluginOptions& options, std::optional<double> lo
   return host;
 }
 
-std::unique_ptr<build::Watch> watch_plugins(const PluginOptions& options) {
+std::unique_ptr<build::Watch> watch_plugins(const PluginOptions& options,
+                                            const std::vector<fs::path>& drafts) {
   search_path(options);  // sources are compiled and in the cache then
   const LoadingLimit limit;
-  auto watch = std::make_unique<build::Watch>(places_of(options));
+  auto watch = std::make_unique<build::Watch>(places_of(options), build::Watch::kPeriod, drafts);
   require_loaded(watch->host(), options.files);
   tell(watch->host().report());
   return watch;

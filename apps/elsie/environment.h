@@ -59,7 +59,8 @@ class LoadingLimit {
   std::optional<process::Watchdog> watchdog_;
 };
 /// Loads the plugins likewise, and follows their files from then on.
-std::unique_ptr<build::Watch> watch_plugins(const PluginOptions& options);
+std::unique_ptr<build::Watch> watch_plugins(const PluginOptions& options,
+                                            const std::vector<std::filesystem::path>& drafts = {});
 
 /// world::default_data_directories()
 std::vector<std::string> data_directories();

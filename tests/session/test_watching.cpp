@@ -19,8 +19,8 @@ Json watch(Session& session, const std::vector<std::string>& what,
   return session.ask({{"do", "watch"}, {"what", what}, {"robots", robots}});
 }
 
-const std::vector<std::string> kEverything{"decisions", "sensors",  "cameras", "fuzzy",
-                                           "graphs",    "measures", "fields",  "lights"};
+const std::vector<std::string> kEverything{"decisions", "sensors", "cameras", "fuzzy", "graphs",
+                                           "measures",  "fields",  "lights",  "stuck"};
 
 void open_shipped(Session& session, const std::string& world) {
   const std::string file = test::source_path("worlds/" + world);
@@ -306,4 +306,65 @@ TEST_CASE("What a robot hears is watched beside its sensors") {
   CHECK(heard[0]["by"] == "radio");
   CHECK(heard[0]["from"] == "scout");
   CHECK(heard[0]["fields"][0]["values"][0].get<double>() == Approx(1.4));
+}
+
+namespace {
+
+/// A robot between two places that pull it alike, and one that goes round in circles.
+constexpr const char* kPulled = R"(<world format="1">
+  <arena length="8" width="8"/>
+  <resources><resource id="far" x="3" y="3"/><resource id="gone" x="2" y="-3"/></resources>
+  <robots>
+    <robot id="torn" x="-1">
+      <behaviors><go_to_point id="upper" x="0" y="2"/><go_to_point id="lower" x="0" y="-2"/></behaviors>
+      <coordinator><fusion_vector_summation/></coordinator>
+    </robot>
+    <robot id="walled" x="-3.6" y="3" heading_deg="180">
+      <behaviors><wander turn="0" restlessness="0"/></behaviors>
+      <coordinator><arbiter_suppression/></coordinator>
+    </robot>
+  </robots>
+  <goals><collect/><reach robot="torn" x="0" y="2" radius="0.5"/></goals>
+  <limits time="40"/>
+</world>
+)";
+
+}  // namespace
+
+TEST_CASE("Robots that stand still for ten seconds are told, with what keeps them") {
+  Session session;
+  REQUIRE_FALSE(session.open(kPulled).contains("refused"));
+  watch(session, {"stuck"});
+  session.ask({{"do", "run"}});
+  const Json end = session.end_of_run();
+  const Json stuck = session.latest("stuck");
+  CHECK_FALSE(session.has_event("state"));
+  for (const Json& said : {stuck, end}) {
+    INFO(said.dump());
+    REQUIRE(said["stuck_count"] == 2);
+    CHECK(said["stuck"][0]["robot"] == "torn");
+    CHECK(said["stuck"][0]["why"] == "cancel");
+    CHECK(said["stuck"][0]["behaviors"].size() == 2);
+    CHECK(said["stuck"][1]["robot"] == "walled");
+    CHECK(said["stuck"][1]["why"] == "blocked");
+    CHECK(said["stuck"][1]["since_s"] < 10.0);
+  }
+  CHECK(end["outcome"] == "time_limit");
+  REQUIRE(end["open_goals"].size() == 2);
+  CHECK(end["open_goals"][0]["missing"] == 2);
+  CHECK(end["open_goals"][1]["robot"] == "torn");
+  CHECK(end["open_goals"][1]["missing_m"] > 1.0);
+}
+
+TEST_CASE("Who is not watched is not judged, and who drives is not stuck") {
+  Session session;
+  open_shipped(session, "find_resource.xml");
+  watch(session, {"stuck"});
+  session.ask({{"do", "run"}, {"until_s", 30.0}});
+  session.event("paused");
+  CHECK_FALSE(session.has_event("stuck"));
+  session.ask({{"do", "reset"}});
+  watch(session, {});
+  session.ask({{"do", "run"}});
+  CHECK_FALSE(session.end_of_run().contains("stuck"));
 }

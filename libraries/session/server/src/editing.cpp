@@ -189,6 +189,7 @@ void Server::Impl::change_run(const std::vector<std::string>& edits_there,
   }
   ++epoch_;
   past_.replaced(*simulation_);
+  standstills_.begin();
   marks_.forget_failures();
   repetition_.add(simulation_->time_s(), simulation_->world().physics.step, edits);
   if (!running_) {

@@ -37,6 +37,13 @@ std::span<const Sample> first_of(std::span<const Sample> samples, std::size_t co
   return first;
 }
 
+// The name of a robot's first vehicle.
+constexpr std::string_view kBegin = "robot[", kEnd = "] 0";
+
+std::string first_vehicle(const std::string& robot) {
+  return std::string(kBegin) + robot + std::string(kEnd);
+}
+
 }  // namespace
 
 void Past::begin(const simulation::Simulation& simulation) {
@@ -116,7 +123,6 @@ void Past::tell(const Request& request, Json& answer) const {
 }
 
 void Past::tell_paths(const Request& request, Json& answer) const {
-  constexpr std::string_view kBegin = "robot[", kEnd = "] 0";  // of a robot's first vehicle
   const Robots robots(request.robots.begin(), request.robots.end());
   std::vector<std::string> bodies, ids;
   for (const std::string& name : poses_.names()) {
@@ -147,6 +153,28 @@ void Past::tell_paths(const Request& request, Json& answer) const {
        ++each) {
     placed.push_back({{"robot", each->robot}, {"time_s", each->time_s}});
   }
+}
+
+void Past::add_paths(picture::TopView& view) const {
+  std::vector<std::string> bodies;
+  for (const picture::RobotTrack& robot : view.robots) bodies.push_back(first_vehicle(robot.id));
+  const auto samples = poses_.after(-1.0);
+  const std::vector<History::Path> paths = History::paths(bodies, samples);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    picture::RobotTrack& robot = view.robots[i];
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      robot.path.push_back({paths[i].x[k], paths[i].y[k], 0.0});
+    }
+    for (const Placed& placed : placed_) {
+      const auto after = std::lower_bound(
+          samples.begin(), samples.end(), placed.time_s,
+          [](const auto& sample, double time_s) { return sample.time_s < time_s; });
+      if (placed.robot == robot.id && after != samples.end()) {
+        robot.placed.push_back(static_cast<std::size_t>(after - samples.begin()));
+      }
+    }
+  }
+  view.path_period_s = poses_.period_s();
 }
 
 void Past::tell_numbers(const Request& request, Json& answer) const {

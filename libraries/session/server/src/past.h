@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "elsie/picture/top_view.h"
 #include "elsie/simulation/observer.h"
 #include "elsie/snapshots/snapshots.h"
 
@@ -43,6 +44,8 @@ class Past final : public simulation::Observer {
   static Request request_of(const Json& order, bool of_numbers);
   /// The notes about it since the last call.
   std::vector<simulation::Note> take_notes() { return numbers_.take_notes(); }
+  /// Adds the paths of the robots to a picture of the present.
+  void add_paths(picture::TopView& view) const;
   /// Adds the next samples to an answer, at most about a hundred thousand numbers.
   void tell(const Request& request, Json& answer) const;
   /// Adds what is stored of a time: the `numbers` of these robots, by name, and the `look`, if

@@ -19,6 +19,14 @@ Json names_of(const std::vector<std::filesystem::path>& files) {
 
 }  // namespace
 
+void Server::Impl::add_plugin(const Json& message, Json&) {
+  const auto file = message.at("file").get<std::string>();
+  plugins_.add(file);
+  for (const char* const word : {"--plugin", file.c_str()}) {
+    options_.plugin_options.emplace_back(word);
+  }
+}
+
 void Server::Impl::renew_plugins() {
   auto renewal = plugins_.take();
   if (!renewal) {
@@ -65,6 +73,7 @@ void Server::Impl::use(const plugin::Host& host, Json& event) {
     event["problems"].push_back(note);
   }
   past_.replaced(*simulation_);
+  standstills_.begin();
   marks_.forget_failures();
   document_ = std::move(document);
 }

@@ -2,8 +2,10 @@
 #include <utility>
 
 #include "elsie/base/error.h"
+#include "elsie/recording/run_picture.h"
 
 #include "described.h"
+#include "failing.h"
 #include "scene.h"
 #include "server_impl.h"
 
@@ -34,6 +36,7 @@ void Server::Impl::show() {
 
 void Server::Impl::watch(const Json& message, Json&) {
   watching_.choose(message);
+  if (!watching_.watches("stuck")) standstills_.begin();
   is_state_due_ = watching_.is_on() && simulation_;
 }
 
@@ -61,6 +64,16 @@ void Server::Impl::paths(const Json& message, Json& answer) {
 
 void Server::Impl::numbers(const Json& message, Json& answer) {
   tell_past(Past::request_of(message, true), answer);
+}
+
+void Server::Impl::draw(const Json& message, Json& answer) {
+  const auto file = message.at("file").get<std::string>();
+  Json warnings = Json::array();
+  picture::TopView view = recording::view_of(
+      *simulation_, nullptr, [&](const std::string& sentence) { warnings.push_back(sentence); });
+  past_.add_paths(view);
+  picture::save_top_view(view, file, {message.value("width", 1000), 0});
+  answer["warnings"] = std::move(warnings);
 }
 
 void Server::Impl::tell_past(Past::Request request, Json& answer) {
@@ -127,6 +140,19 @@ void Server::Impl::report_news() {
   const auto notes = simulation_->notes();
   for (; told_notes_ < notes.size() && link_.waiting_bytes() < kMostWaiting; ++told_notes_) {
     report_note(notes[told_notes_]);
+  }
+}
+
+void Server::Impl::report_stuck() {
+  if (!watching_.watches("stuck")) {
+    return;
+  }
+  standstills_.look(*simulation_);
+  if (standstills_.found() != told_standstills_) {
+    told_standstills_ = standstills_.found();
+    Json event = {{"event", "stuck"}, {"epoch", epoch_}, {"time_s", simulation_->time_s()}};
+    event.update(standstills_json(told_standstills_));
+    link_.send(event);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "elsie/simulation/fault.h"
 #include "elsie/world/error.h"
 
+#include "failing.h"
 #include "scene.h"
 #include "server_impl.h"
 
@@ -67,6 +68,8 @@ void Server::Impl::take_next() {
   recording_.close();
   repetition_.begin(document_->file(), document_->text(), seed_);
   told_events_ = told_notes_ = 0;
+  standstills_.begin();
+  told_standstills_.clear();
   past_.begin(*simulation_);
   marks_.forget_failures();
   show();
@@ -181,6 +184,13 @@ void Server::Impl::run() {
     end["steps"] = result.steps;
     end["state_hash"] = simulation::hash_text(result.state_hash);
     end["measures"] = measures_json(result.measures);
+    if (watching_.watches("stuck") && result.outcome != simulation::Outcome::success) {
+      end["open_goals"] = open_goals_json(*simulation_);
+      if (result.outcome == simulation::Outcome::failure) {
+        end["broken_by"] = broken_by_json(*simulation_);
+      }
+      end.update(standstills_json(standstills_.found()));
+    }
     end["notes"] = Json::array();
     for (const simulation::Note& note : result.notes) {
       end["notes"].push_back(text_of(note));
@@ -223,6 +233,7 @@ void Server::Impl::between_decisions() {
   if (now - shown_ >= kBetweenSnapshots && (writer_.taken() || !with_next_snapshot_.empty())) {
     show();
   }
+  report_stuck();
   if (watching_.is_on() && now - stated_ >= kBetweenStates && link_.is_idle()) {
     report_state();
   }

@@ -38,6 +38,7 @@ const std::map<std::string, Server::Impl::KnownOrder>& Server::Impl::orders() {
       {"reset", {&Impl::reset}},        {"at", {&Impl::look_back}},
       {"record", {&Impl::record}},      {"command", {&Impl::command}},
       {"paths", {&Impl::paths}},        {"numbers", {&Impl::numbers}},
+      {"picture", {&Impl::draw}},       {"plugin", {&Impl::add_plugin, false}},
   };
   return known;
 }

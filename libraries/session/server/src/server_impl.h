@@ -18,6 +18,7 @@
 #include "elsie/server/server.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/snapshots/snapshots.h"
+#include "elsie/traces/standstill.h"
 
 #include "link.h"
 #include "marks.h"
@@ -82,6 +83,8 @@ class Server::Impl {
   void paths(const Json& message, Json& answer);
   void numbers(const Json& message, Json& answer);
   void record(const Json& message, Json& answer);
+  void draw(const Json& message, Json& answer);
+  void add_plugin(const Json& message, Json& answer);
   void command(const Json& message, Json& answer);
 
   // The document.
@@ -141,6 +144,8 @@ class Server::Impl {
   /// Sends new events and notes of the run.
   void report_news();
   void report_note(const simulation::Note& note);
+  /// Says which robots stand still, when others do than before.
+  void report_stuck();
 
   /// Loads plugins that have changed on disk, as `elsie run --watch` does.
   void renew_plugins();
@@ -175,6 +180,8 @@ class Server::Impl {
   Watching watching_;
   bool is_state_due_ = false;  // the shown state has changed while nothing runs
   std::size_t told_events_ = 0, told_notes_ = 0;
+  traces::StandstillWatch standstills_;
+  std::vector<traces::Standstill> told_standstills_;
   Past past_{watching_};
   Recording recording_;
   Repetition repetition_;

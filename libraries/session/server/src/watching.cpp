@@ -25,8 +25,8 @@ using simulation::SensorView;
 using simulation::Simulation;
 using simulation::TracedMember;
 
-constexpr const char* kWhat[] = {"decisions", "sensors",  "cameras", "fuzzy",
-                                 "graphs",    "measures", "fields",  "lights"};
+constexpr const char* kWhat[] = {"decisions", "sensors", "cameras", "fuzzy", "graphs",
+                                 "measures",  "fields",  "lights",  "stuck"};
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
@@ -213,7 +213,7 @@ void Watching::choose(const Json& order) {
     if (std::find(std::begin(kWhat), std::end(kWhat), word) == std::end(kWhat)) {
       throw base::BadInput("'" + word +
                            "' cannot be watched; expected decisions, sensors, cameras, fuzzy, "
-                           "graphs, measures, fields or lights");
+                           "graphs, measures, fields, lights or stuck");
     }
     what.insert(word);
   }

@@ -16,7 +16,8 @@ class Watching {
  public:
   /// Reads an order: `what` and `robots`. Throws base::BadInput.
   void choose(const Json& order);
-  bool is_on() const { return !what_.empty(); }
+  /// Whether events `state` are wished.
+  bool is_on() const { return what_.size() > (watches("stuck") ? 1 : 0); }
   bool watches(const char* what) const { return what_.contains(what); }
 
   /// The event `state`. Does not change the simulation. Throws simulation::PluginFault.

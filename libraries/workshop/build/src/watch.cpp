@@ -69,10 +69,35 @@ class WatchedPaths {
     }
   }
 
+  /// Compiles the draft, if it is a source that compiles; otherwise it is refused for now.
+  void add(const fs::path& draft, const std::stop_token& stop, Renewal& renewal) {
+    if (std::any_of(watched_.begin(), watched_.end(),
+                    [&](const WatchedPath& watched) { return watched.directory.path == draft; })) {
+      return;
+    }
+    watched_.push_back({{draft, "--plugin"}, {}, false});
+    if (is_source(draft)) {
+      build(watched_.back(), stop, renewal);
+    }
+  }
+
+  /// The sentence on a draft that compiles, if the host has no version of it; else "".
+  std::string why_refused(const fs::path& draft, const plugin::Report& report) const {
+    for (std::size_t i = 0; i < watched_.size(); ++i) {
+      if (watched_[i].directory.path != draft || watched_[i].is_refused) continue;
+      for (const plugin::FileReport& file : report.directories[i].files) {
+        if (file.status != plugin::FileStatus::loaded && !file.is_former) {
+          return "'" + draft.string() + "' " + file.sentence;
+        }
+      }
+    }
+    return "";
+  }
+
   /// Compiles sources again that were saved since; the cache has the others.
   void refresh() {
     for (WatchedPath& watched : watched_) {
-      if (!watched.build.library.empty()) {
+      if (watched.is_compiled()) {
         watched.build = build_source(watched.directory.path);
       }
     }
@@ -83,7 +108,7 @@ class WatchedPaths {
     std::vector<plugin::SearchDirectory> directories;
     for (const WatchedPath& watched : watched_) {
       directories.push_back(watched.directory);
-      if (!watched.build.library.empty()) {
+      if (watched.is_compiled()) {
         directories.back().source = watched.directory.path;
         directories.back().path = watched.build.library;
       }
@@ -107,7 +132,7 @@ class WatchedPaths {
   void rebuild(const Prints& before, const Prints& now, const std::stop_token& stop,
                Renewal& renewal) {
     for (WatchedPath& watched : watched_) {
-      if (watched.build.library.empty() || stop.stop_requested()) {
+      if (!is_source(watched.directory.path) || stop.stop_requested()) {
         continue;
       }
       // The includes of a source that does not compile are unknown: any header next to it may be at
@@ -117,14 +142,7 @@ class WatchedPaths {
                        [&](const fs::path& input) { return has_changed(input, before, now); })) {
         continue;
       }
-      watched.is_refused = true;
-      try {
-        watched.build = build_source(watched.directory.path, cache_directory(), stop);
-        watched.is_refused = false;
-      } catch (const std::exception& error) {  // also the system's errors, such as a full disk
-        renewal.problems.push_back(error.what());
-        renewal.kept.push_back(watched.directory.path);
-      }
+      build(watched, stop, renewal);
     }
   }
 
@@ -155,7 +173,7 @@ class WatchedPaths {
     const auto known = former(before);
     for (const auto& [i, file] : former(report)) {
       if (!known.contains({i, file})) {
-        kept.push_back(watched_[i].build.library.empty() ? file : watched_[i].directory.path);
+        kept.push_back(!watched_[i].is_compiled() ? file : watched_[i].directory.path);
       }
     }
   }
@@ -165,16 +183,30 @@ class WatchedPaths {
     plugin::SearchDirectory directory;
     SourceBuild build;        // of a source: the last one that compiled
     bool is_refused = false;  // the present source does not compile
+
+    bool is_compiled() const { return !build.library.empty(); }
   };
+
+  static void build(WatchedPath& watched, const std::stop_token& stop, Renewal& renewal) {
+    watched.is_refused = true;
+    try {
+      watched.build = build_source(watched.directory.path, cache_directory(), stop);
+      watched.is_refused = false;
+    } catch (const std::exception& error) {  // also the system's errors, such as a full disk
+      renewal.problems.push_back(error.what());
+      renewal.kept.push_back(watched.directory.path);
+    }
+  }
 
   static std::vector<fs::path> files_of(const WatchedPath& watched) {
     const fs::path& path = watched.directory.path;
-    if (watched.build.library.empty()) {
+    if (!is_source(path)) {
       return plugin::may_hold_plugins(path) ? std::vector{path}
                                             : files_in(path, plugin::may_hold_plugins);
     }
     std::vector<fs::path> files =
         files_in(path.parent_path().empty() ? "." : path.parent_path(), is_header);
+    files.push_back(path);  // it is no input before it has compiled once
     files.insert(files.end(), watched.build.inputs.begin(), watched.build.inputs.end());
     return files;
   }
@@ -216,11 +248,25 @@ void merge(Items& items, Items others) {
 
 class Watch::Impl {
  public:
-  Impl(std::vector<plugin::SearchDirectory> directories, std::chrono::milliseconds period)
+  Impl(std::vector<plugin::SearchDirectory> directories, std::chrono::milliseconds period,
+       const std::vector<fs::path>& drafts)
       : watched_(std::move(directories)), period_(period) {
+    Renewal refused;
+    for (const fs::path& draft : drafts) {
+      watched_.add(draft, stop_.get_token(), refused);
+    }
     seen_ = watched_.look();  // first, so that changes while it is loaded are noticed
     watched_.refresh();       // changes before that look
     in_use_ = std::make_shared<const plugin::Host>(watched_.directories(), private_copy);
+    for (const fs::path& draft : drafts) {
+      if (std::string why = watched_.why_refused(draft, in_use_->report()); !why.empty()) {
+        refused.problems.push_back(std::move(why));
+        refused.kept.push_back(draft);
+      }
+    }
+    if (!refused.problems.empty()) {
+      post(std::move(refused));
+    }
     const NoSignals for_the_thread;
     thread_ = std::thread([this] { follow(); });
   }
@@ -239,6 +285,10 @@ class Watch::Impl {
   std::shared_ptr<const plugin::Host> in_use() const {
     const std::lock_guard lock(mutex_);
     return in_use_;
+  }
+  void add(const fs::path& draft) {
+    const std::lock_guard lock(mutex_);
+    drafts_.push_back(draft);
   }
   std::optional<Renewal> take() {
     if (!is_there_one_) {
@@ -265,6 +315,14 @@ class Watch::Impl {
           return;
         }
       }
+      std::vector<fs::path> drafts;
+      {
+        const std::lock_guard lock(mutex_);
+        drafts.swap(drafts_);
+      }
+      if (!drafts.empty()) {
+        add(drafts);
+      }
       Prints now = watched_.look();
       failed = failed && now != seen_;
       // Two equal looks: the writer has finished.
@@ -286,9 +344,29 @@ class Watch::Impl {
     }
   }
 
+  void add(const std::vector<fs::path>& drafts) {
+    Renewal renewal;
+    for (const fs::path& draft : drafts) {
+      watched_.add(draft, stop_.get_token(), renewal);
+    }
+    try {
+      load(std::move(renewal), drafts);
+    } catch (const std::exception& error) {
+      post({nullptr, {}, {error.what()}, drafts});
+    }
+    for (const auto& [file, print] : watched_.look()) {
+      seen_.try_emplace(file, print);  // those of the drafts
+    }
+  }
+
   void renew(const Prints& now) {
     Renewal renewal;
     watched_.rebuild(seen_, now, stop_.get_token(), renewal);
+    load(std::move(renewal));
+  }
+
+  /// Makes the host of what is compiled now. The renewal names each of the `drafts`.
+  void load(Renewal renewal, const std::vector<fs::path>& drafts = {}) {
     if (stop_.stop_requested()) {
       return;
     }
@@ -310,6 +388,17 @@ class Watch::Impl {
       }
     }
     renewal.files.assign(files.begin(), files.end());
+    for (const fs::path& draft : drafts) {
+      if (files.contains(draft) ||
+          std::find(renewal.kept.begin(), renewal.kept.end(), draft) != renewal.kept.end()) {
+        continue;
+      }
+      renewal.kept.push_back(draft);
+      if (renewal.problems.empty()) {
+        renewal.problems.push_back("'" + draft.string() +
+                                   "' has no plugin that is not there already");
+      }
+    }
     if (!files.empty()) {
       renewal.host = std::move(host);
     }
@@ -356,15 +445,18 @@ class Watch::Impl {
   bool ends_ = false;      // protected by the lock, as the next two
   std::shared_ptr<const plugin::Host> in_use_;
   std::optional<Renewal> renewal_;
+  std::vector<fs::path> drafts_;  // to be added
   std::atomic<bool> is_there_one_{false};
   std::thread thread_;
 };
 
-Watch::Watch(std::vector<plugin::SearchDirectory> directories, std::chrono::milliseconds period)
-    : impl_(std::make_unique<Impl>(std::move(directories), period)) {}
+Watch::Watch(std::vector<plugin::SearchDirectory> directories, std::chrono::milliseconds period,
+             const std::vector<fs::path>& drafts)
+    : impl_(std::make_unique<Impl>(std::move(directories), period, drafts)) {}
 Watch::~Watch() = default;
 
 const plugin::Host& Watch::host() const { return *impl_->in_use(); }
+void Watch::add(const fs::path& draft) { impl_->add(draft); }
 std::optional<Renewal> Watch::take() { return impl_->take(); }
 void Watch::accept(Renewal renewal) {
   if (renewal.host) {

@@ -47,8 +47,12 @@ class Watch {
   /// (is_source()). Libraries are loaded as private copies, so that their files may be overwritten.
   /// `period` is the time between checks; a changed file is read once two checks find it the same.
   /// Throws what build_source() throws.
+  ///
+  /// `drafts`: sources and scripts that somebody is writing. What is wrong with one is in the first
+  /// renewal instead of an exception, and it is used from the first version on that is right.
   explicit Watch(std::vector<plugin::SearchDirectory> places,
-                 std::chrono::milliseconds period = kPeriod);
+                 std::chrono::milliseconds period = kPeriod,
+                 const std::vector<std::filesystem::path>& drafts = {});
   /// Ends a running compiler; waits for a library that is being loaded.
   ~Watch();
   Watch(const Watch&) = delete;
@@ -56,6 +60,9 @@ class Watch {
 
   /// The plugins in use: the first ones, or those of the renewal accepted last.
   const plugin::Host& host() const;
+  /// Adds a draft, after all other places. The next renewal that names it in `files` or in `kept`
+  /// says whether it is used. A file that is watched already is not added again.
+  void add(const std::filesystem::path& draft);
   /// All changes since the last call; none if there are none.
   std::optional<Renewal> take();
   /// Makes the renewal's host the one in use. A renewal that is not accepted is dropped; its files
