@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "elsie/simulation/robot_share.h"
+#include "elsie/simulation/measures.h"
 
 namespace elsie::traces {
 namespace {
