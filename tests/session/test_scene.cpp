@@ -1,5 +1,7 @@
 // What the window is told of what sensors look at.
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "session.h"
 
@@ -97,4 +99,37 @@ TEST_CASE("A scene has the floor, nests, patches in their own frames, and lamps"
   CHECK(shapes[5]["path"] == "lamp[sun]");
   CHECK(shapes[5]["shape"] == "sphere");
   CHECK(shapes[5]["frame"][0] == test::Json({1.0, 0.0, 0.7}));
+}
+
+TEST_CASE("A scene says what is a wheel or a wall, where goals are, and where sensors look") {
+  test::Session session;
+  const test::Json scene = session.open(R"(<world format="1">
+  <arena length="4" width="4"/>
+  <robots>
+    <robot id="r1" x="-1">
+      <sensors><beam_range id="left" x="0.1" y="0.05" z="0.1" yaw_deg="90"/></sensors>
+      <behaviors><turn_left/></behaviors>
+      <coordinator><arbiter_suppression/></coordinator>
+    </robot>
+    <robot id="r2" x="1"><behaviors><turn_left/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>
+  </robots>
+  <goals>
+    <any><reach robot="r1" x="1" y="0.5" radius="0.3"/><reach robot="r1" of="r2" x="0.4" y="0" radius="0.2"/></any>
+  </goals>
+</world>)")["scene"];
+  std::map<std::string, int> roles;
+  for (const auto& shape : scene["shapes"]) ++roles[shape.value("role", "")];
+  CHECK(roles["wall"] == 4);
+  CHECK(roles["chassis"] == 2);
+  CHECK(roles["wheel"] == 4);
+  REQUIRE(scene["goals"].size() == 2);
+  CHECK(scene["goals"][0] ==
+        test::Json{{"at", {1.0, 0.5}}, {"radius", 0.3}, {"body", -1}, {"whose", "r1"}});
+  CHECK(scene["goals"][1]["body"] == 1);
+  REQUIRE(scene["sensors"].size() == 1);
+  const auto& sensor = scene["sensors"][0];
+  CHECK(sensor["path"] == "robot[r1]/sensor[left]");
+  CHECK(sensor["body"] == 0);
+  CHECK(sensor["frame"][0][0] == 0.1);
+  CHECK(sensor["frame"][1][1].get<double>() == Approx(1.0));
 }

@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <string>
+#include <variant>
 
+#include "elsie/files/clean_text.h"
 #include "elsie/world/colours.h"
 #include "elsie/world/floor.h"
 #include "elsie/world/parts.h"
@@ -13,7 +17,7 @@ namespace elsie::server {
 namespace {
 
 constexpr world::BoxColours kBoxes{{0x8a, 0x8f, 0x98}, {0xb0, 0x8d, 0x57}, {0x7a, 0x5c, 0xa8}};
-constexpr Colour kWall{0x9a, 0x9f, 0xa6};
+constexpr Colour kWall{0xb8, 0xbd, 0xc4};
 constexpr Colour kTyre{0x20, 0x20, 0x20};
 
 Json json(const Vector3& vector) { return {vector.x, vector.y, vector.z}; }
@@ -49,6 +53,10 @@ Json floor_json(const world::World& world) {
   return floor;
 }
 
+const char* name_of(PartRole role) {
+  return role == PartRole::chassis ? "chassis" : role == PartRole::wheel ? "wheel" : "caster";
+}
+
 const char* group_of(const world::Obstacle& box) {
   return box.kind == world::ObstacleKind::resource ? "resource" : "obstacle";
 }
@@ -77,6 +85,44 @@ void list_patch(const world::Patch& patch, const char* group, Json& shapes) {
   }
 }
 
+/// The places of goals. Those in the frame of a robot have its body.
+Json goals_json(const simulation::Simulation& simulation) {
+  std::map<std::string, int, std::less<>> bodies;
+  int body = 0;
+  for (const world::Robot& robot : simulation.world().robots) {
+    bodies[robot.id] = body;
+    body += static_cast<int>(world::plan_of(robot).vehicles());
+  }
+  Json goals = Json::array();
+  const auto add = [&](double x, double y, double radius, int of, const std::string& whose) {
+    goals.push_back(
+        {{"at", {x, y}}, {"radius", radius}, {"body", of}, {"whose", files::one_line(whose)}});
+  };
+  world::for_each_goal(simulation.world().goals, [&](const world::Goal& goal) {
+    if (const auto* reach = std::get_if<world::ReachGoal>(&goal)) {
+      const auto of = bodies.find(reach->of);
+      add(reach->x, reach->y, reach->radius, of == bodies.end() ? -1 : of->second,
+          reach->robot.empty() ? reach->team : reach->robot);
+    } else if (const auto* push = std::get_if<world::PushGoal>(&goal)) {
+      add(push->x, push->y, push->radius, -1, push->obstacle);
+    }
+  });
+  return goals;
+}
+
+/// Where the sensors of a robot are mounted, and where they look.
+void list_sensors(const simulation::Simulation& simulation, std::size_t robot, int body,
+                  Json& sensors) {
+  for (std::size_t i = 0; i < simulation.sensors(robot); ++i) {
+    const simulation::SensorView sensor = simulation.sensor(robot, i);
+    const Mounting& at = *sensor.mounting;
+    sensors.push_back({{"path", path("robot", simulation.world().robots[robot].id) + '/' +
+                                    path("sensor", std::string(sensor.id))},
+                       {"body", body + at.segment},
+                       {"frame", json(Frame::turned(at.position, at.azimuth_rad, at.pitch_rad))}});
+  }
+}
+
 bool has_actuators(const world::World& world) {
   return std::any_of(world.robots.begin(), world.robots.end(),
                      [](const world::Robot& robot) { return !robot.actuators.empty(); });
@@ -86,7 +132,7 @@ bool has_actuators(const world::World& world) {
 
 Json scene_json(const simulation::Simulation& simulation) {
   const world::World& world = simulation.world();
-  Json bodies = Json::array(), shapes = Json::array();
+  Json bodies = Json::array(), shapes = Json::array(), sensors = Json::array();
   int body = -1;
   for (const world::Nest& nest : world.nests) list_patch(world::patch_of(nest), "nest", shapes);
   for (const world::Patch& patch : world.patches) list_patch(patch, "patch", shapes);
@@ -97,6 +143,7 @@ Json scene_json(const simulation::Simulation& simulation) {
   }
   for (const world::Fixture& wall : world::walls_of(world.arena)) {
     shapes.push_back(json(wall.shape, wall.frame, kWall, body));
+    shapes.back()["role"] = "wall";
   }
   for (const world::Charger& charger : world.chargers) {
     const world::Fixture fixture = world::fixture_of(charger);
@@ -110,9 +157,11 @@ Json scene_json(const simulation::Simulation& simulation) {
     for (std::size_t vehicle = 0; vehicle < plan.vehicles(); ++vehicle) {
       ++body;
       bodies.push_back({{"path", path("robot", robot.id)}, {"vehicle", vehicle}});
+      if (vehicle == 0) list_sensors(simulation, i, body, sensors);
       for (const Part& part : world::vehicle_of(plan, vehicle)) {
         shapes.push_back(
             json(part.shape, part.frame, part.role == PartRole::chassis ? colour : kTyre, body));
+        shapes.back()["role"] = name_of(part.role);
       }
     }
   }
@@ -126,6 +175,8 @@ Json scene_json(const simulation::Simulation& simulation) {
           {"floor", floor_json(world)},
           {"has_fields", !world.fields.empty()},
           {"has_actuators", has_actuators(world)},
+          {"goals", goals_json(simulation)},
+          {"sensors", std::move(sensors)},
           {"bodies", std::move(bodies)},
           {"shapes", std::move(shapes)}};
 }
