@@ -46,7 +46,52 @@ class Coverage final : public elsie::Measure, public ChosenRobots {
     values[1] = area_;
   }
 
+  /// The outline of what was visited.
+  void sketch(elsie::Sketch& sketch) const override {
+    const std::size_t rows = visited_.size() / columns_;
+    outline(
+        sketch, rows, columns_,
+        [this](std::size_t row, std::size_t column, bool is_end) {
+          return elsie::Vector3{place(column + (is_end ? 1 : 0), columns_, length_),
+                                place(row, visited_.size() / columns_, width_), kAbove};
+        },
+        [this](std::size_t row, std::size_t column) { return visited_[row * columns_ + column]; });
+    outline(
+        sketch, columns_, rows,
+        [this](std::size_t column, std::size_t row, bool is_end) {
+          return elsie::Vector3{place(column, columns_, length_),
+                                place(row + (is_end ? 1 : 0), visited_.size() / columns_, width_),
+                                kAbove};
+        },
+        [this](std::size_t column, std::size_t row) { return visited_[row * columns_ + column]; });
+  }
+
  private:
+  static constexpr double kAbove = 0.002;  // m, of its outline, the floor
+  /// Lines between cells of neighbouring rows of which only one was visited, each as long as that
+  /// is so.
+  template <class Corner, class Visited>
+  static void outline(elsie::Sketch& sketch, std::size_t rows, std::size_t columns,
+                      const Corner& corner, const Visited& visited) {
+    for (std::size_t row = 0; row <= rows; ++row) {
+      std::size_t from = columns;  // where a line begins; none yet
+      for (std::size_t column = 0; column <= columns; ++column) {
+        const bool is_border = column < columns && (row > 0 && visited(row - 1, column)) !=
+                                                       (row < rows && visited(row, column));
+        if (is_border && from == columns) from = column;
+        if (!is_border && from < columns) {
+          if (2 * sketch.marks().size() + 2 > elsie::Sketch::kMostPlaces) return;
+          sketch.line(elsie::SketchRole::field, corner(row, from, false),
+                      corner(row, column - 1, true));
+          from = columns;
+        }
+      }
+    }
+  }
+  /// The border before a cell.
+  double place(std::size_t index, std::size_t of, double side) const {
+    return (index < of ? cell * static_cast<double>(index) : side) - 0.5 * side;
+  }
   static constexpr double kMostCells = 1e6;
 
   /// The wall may cut off the last cell; slivers do not count.

@@ -31,7 +31,9 @@ class BeamRange final : public elsie::SensorOf<elsie::RangeReading> {
   }
 
   void sketch(elsie::Sketch& sketch) const override {
-    const elsie::Vector3 end{current().distance_m, 0.0, 0.0};
+    // Before the first reading, as far as it can look.
+    const bool has_looked = current().max_range_m > 0.0;
+    const elsie::Vector3 end{has_looked ? current().distance_m : max_range, 0.0, 0.0};
     sketch.line(elsie::SketchRole::range, {}, end);
     if (current().hit) sketch.point(elsie::SketchRole::hit, end);
   }
