@@ -212,9 +212,19 @@ void MainWindow::fill_view_menu(QMenu* menu, const QToolBar& tools, const QToolB
   in_view("view_front", tr("From the &front"), "1",
           [this] { scene_->look(OrbitCamera::kFromFront); });
   in_view("view_side", tr("From the &side"), "3", [this] { scene_->look(OrbitCamera::kFromSide); });
-  in_view("follow", tr("F&ollow the selected robot"), "Shift+F", [this] {
-    scene_->follow(scene_->followed().isEmpty() ? authoring_->robot() : QString());
-  });
+  in_view("view_isometric", tr("Obli&quely (isometric)"), "9",
+          [this] { scene_->look(OrbitCamera::kIsometric); });
+  // The same command again stops it.
+  const auto follow = [this](SceneView::Follow how) {
+    const bool stops = !scene_->followed().isEmpty() && scene_->follows() == how;
+    scene_->follow(stops ? QString() : authoring_->robot(), how);
+  };
+  in_view("follow", tr("F&ollow the selected robot"), "Shift+F",
+          [follow] { follow(SceneView::Follow::above); });
+  in_view("follow_behind", tr("Follow it from &behind"), "B",
+          [follow] { follow(SceneView::Follow::behind); });
+  in_view("robot_eye", tr("From the robot's &place"), "0",
+          [follow] { follow(SceneView::Follow::eye); });
   actions_.measure = in_view("measure", tr("&Measuring tape"), "M", [this] {
     scene_->set_tool(scene_->tool() == SceneView::Tool::measure ? SceneView::Tool::move
                                                                 : SceneView::Tool::measure);

@@ -98,7 +98,7 @@ void Exporter::add_frame(int number) {
       return;  // cancelled in the meantime
     }
     // The snapshot of that instant came before the answer.
-    if (answer.contains("refused") || !film_->add(scene_.picture())) {
+    if (answer.contains("refused") || !film_->add(scene_.picture(SceneView::kFilm))) {
       end_film(true);
       return;
     }

@@ -8,40 +8,59 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr double kFlattest = 0.1;
+constexpr double kLowest = 0.03;   // m, above the floor
 constexpr double kNearest = 0.05;  // m
 constexpr double kFarthest = 30'000.0;
 constexpr double kPerPixel = 0.008;  // rad
 constexpr double kInFront = 0.01;    // m; nearer points are not drawn
 
-/// The distance in pixels from the middle of the picture to a point one unit ahead and one unit
-/// aside.
-double scale(const QSizeF& size) { return 0.5 * size.width() / std::tan(0.5 * OrbitCamera::kFov); }
-
 }  // namespace
 
-void OrbitCamera::show(double length, double width, const QSizeF& size) {
+/// The distance in pixels from the middle of the picture to a point one unit ahead and one unit
+/// aside.
+double OrbitCamera::scale(const QSizeF& size) const {
+  return 0.5 * size.width() / std::tan(0.5 * fov());
+}
+
+void OrbitCamera::show(double length, double width, double height, const QSizeF& size) {
+  seat.reset();
   target = {0.0, 0.0, 0.0};
-  // Moves away until all corners are in the picture.
   const QSizeF picture(std::max(1.0, size.width()), std::max(1.0, size.height()));
-  const QRectF frame = QRectF(QPointF(0.0, 0.0), picture).marginsRemoved({12.0, 24.0, 12.0, 12.0});
-  for (distance = 0.3 * std::max(length, width); distance < kFarthest; distance *= 1.05) {
-    bool is_whole = true;
-    for (const double x : {-0.5, 0.5}) {
-      for (const double y : {-0.5, 0.5}) {
-        const auto at = project({x * 1.05 * length, y * 1.05 * width, 0.0}, picture);
-        is_whole = is_whole && at && frame.contains(*at);
-      }
+  const QRectF frame = QRectF(QPointF(0.0, 0.0), picture).marginsRemoved({16.0, 28.0, 16.0, 28.0});
+  // What of the picture the corners of the area fill; none if one is behind the camera.
+  const auto filled = [&]() -> std::optional<QRectF> {
+    QRectF all;
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto at = project({(corner & 1 ? 0.5 : -0.5) * length,
+                               (corner & 2 ? 0.5 : -0.5) * width, corner & 4 ? height : 0.0},
+                              picture);
+      if (!at) return std::nullopt;
+      all = corner == 0
+                ? QRectF(*at, QSizeF(0.0, 0.0))
+                : QRectF(QPointF(std::min(all.left(), at->x()), std::min(all.top(), at->y())),
+                         QPointF(std::max(all.right(), at->x()), std::max(all.bottom(), at->y())));
     }
-    if (is_whole || frame.isEmpty()) {
-      break;
+    return all;
+  };
+  // Moves away until all corners are in the picture, with the area in its middle.
+  for (distance = 0.2 * std::max(length, width); distance < kFarthest; distance *= 1.02) {
+    target = {0.0, 0.0, 0.0};
+    for (int i = 0; i < 3; ++i) {
+      if (const auto area = filled()) pan(frame.center() - area->center(), picture);
     }
+    const auto area = filled();
+    if (frame.isEmpty() || (area && frame.contains(*area))) break;
   }
 }
 
 void OrbitCamera::orbit(const QPointF& by) {
   yaw = wrap_angle(yaw - kPerPixel * by.x());
-  pitch = std::clamp(pitch - kPerPixel * by.y(), kFromTop.pitch, kFlattest);
+  pitch = std::max(pitch - kPerPixel * by.y(), kFromTop.pitch);
+  stay_above_the_floor();
+}
+
+void OrbitCamera::stay_above_the_floor() {
+  pitch = std::min(pitch, -std::asin(std::min(1.0, kLowest / distance)));
 }
 
 void OrbitCamera::pan(const QPointF& by, const QSizeF& size) {
@@ -65,9 +84,11 @@ void OrbitCamera::zoom(double factor, const QPointF& pointer, const QSizeF& size
       target = target + moved * Vector3{aside.x, aside.y, 0.0};
     }
   }
+  stay_above_the_floor();
 }
 
 Frame OrbitCamera::frame() const {
+  if (seat) return *seat;
   Frame frame = Frame::turned({}, yaw, pitch);
   frame.origin = target - distance * frame.forward;
   return frame;

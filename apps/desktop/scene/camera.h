@@ -20,9 +20,11 @@ class OrbitCamera {
   double distance = 10.0;  // m
   double yaw = 1.45;       // direction of its line of sight, from +x
   double pitch = -0.95;    // negative looks down
+  /// Where the camera is carried by a robot; none: it orbits.
+  std::optional<Frame> seat{};
 
-  /// Shows an area around the origin completely, obliquely from the south or from above.
-  void show(double length, double width, const QSizeF& size);
+  /// Fills the picture with an area around the origin, `height` m high, seen from where it looks.
+  void show(double length, double width, double height, const QSizeF& size);
   /// Where the camera looks from, whatever its target is.
   struct View {
     double yaw, pitch;
@@ -30,6 +32,7 @@ class OrbitCamera {
   static constexpr View kFromTop{0.5 * std::numbers::pi, -0.5 * std::numbers::pi};
   static constexpr View kFromFront{0.5 * std::numbers::pi, -0.15};
   static constexpr View kFromSide{std::numbers::pi, -0.15};
+  static constexpr View kIsometric{0.25 * std::numbers::pi, -0.6155};  // asin(tan 30 degrees)
 
   /// Move the camera by a movement of the mouse, px.
   void orbit(const QPointF& by);
@@ -37,9 +40,15 @@ class OrbitCamera {
   /// Zooms towards the point under the pointer if `factor` is below 1, otherwise away from it.
   void zoom(double factor, const QPointF& pointer, const QSizeF& size);
 
-  friend bool operator==(const OrbitCamera&, const OrbitCamera&) = default;
+  /// Whether both orbit alike.
+  friend bool operator==(const OrbitCamera& a, const OrbitCamera& b) {
+    return a.target == b.target && a.distance == b.distance && a.yaw == b.yaw &&
+           a.pitch == b.pitch && a.seat.has_value() == b.seat.has_value();
+  }
 
   Frame frame() const;
+  /// The horizontal field of view, rad: wider in a robot's place.
+  double fov() const { return seat ? 1.25 : kFov; }
   /// The pixel of a point; none if the point is behind the camera.
   std::optional<QPointF> project(const Vector3& point, const QSizeF& size) const;
   /// The direction in which a pixel looks.
@@ -47,6 +56,10 @@ class OrbitCamera {
   /// The point where that ray meets the plane at this height; none if it does not.
   std::optional<Vector3> on_plane(const QPointF& pixel, const QSizeF& size,
                                   double height = 0.0) const;
+
+ private:
+  double scale(const QSizeF& size) const;
+  void stay_above_the_floor();
 };
 
 }  // namespace elsie::desktop

@@ -1,6 +1,8 @@
 #include "scene/labels.h"
 
+#include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/elements.h"
@@ -32,12 +34,9 @@ std::vector<Label> labels_of(const Stage& stage, const OrbitCamera& camera, cons
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   const QRectF view(QPointF(0.0, 0.0), QSizeF(size));
   std::vector<Label> labels;
-  for (const auto& [ahead, robot] : robots) {
-    const auto at = camera.project(robot->frame.point({0.0, 0.0, kHigh}), size);
-    const QString name = robot_id(robot->path);
-    if (!at) {
-      continue;
-    }
+  const auto add = [&](const Vector3& place, const QString& name) {
+    const auto at = camera.project(place, size);
+    if (!at) return;
     const QPointF corner(at->x() - 0.5 * metrics.horizontalAdvance(name) - kAside,
                          at->y() - kAbove);
     for (const double lines : {0.0, -1.0, 1.0}) {
@@ -46,9 +45,20 @@ std::vector<Label> labels_of(const Stage& stage, const OrbitCamera& camera, cons
           std::none_of(labels.begin(), labels.end(),
                        [&box](const Label& other) { return other.box.intersects(box); })) {
         labels.push_back({name, box});
-        break;
+        return;
       }
     }
+  };
+  for (const auto& [ahead, robot] : robots) {
+    add(robot->frame.point({0.0, 0.0, kHigh}), robot_id(robot->path));
+  }
+  for (const Stage::Goal& goal : stage.goals()) {
+    // At the edge of the place that is highest in the picture.
+    const Vector3 away = eye.forward + eye.up;
+    const double part = goal.radius / std::max(1e-9, std::hypot(away.x, away.y));
+    add({goal.at.x + part * away.x, goal.at.y + part * away.y, 0.0},
+        goal.whose.isEmpty() ? QCoreApplication::translate("Labels", "goal")
+                             : QCoreApplication::translate("Labels", "goal of %1").arg(goal.whose));
   }
   return labels;
 }

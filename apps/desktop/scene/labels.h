@@ -1,4 +1,4 @@
-// Names of robots over the view.
+// Names of robots and goals over the view.
 #pragma once
 
 #include <QFontMetricsF>
@@ -19,9 +19,9 @@ struct Label {
 /// A box with the text, whose lower left corner is `at`.
 QRectF label_box(const QFontMetricsF& metrics, const QPointF& at, const QString& text);
 
-/// The names of the robots in a view of that size, without overlaps: each is above its robot, or a
-/// line higher or lower where another name is in the way. Names without room are left out, those of
-/// robots far from the camera first.
+/// The names of the robots in a view of that size, then those of goals, without overlaps: each is
+/// above its robot or goal, or a line higher or lower where another name is in the way. Names
+/// without room are left out, those of goals and of robots far from the camera first.
 std::vector<Label> labels_of(const Stage& stage, const OrbitCamera& camera, const QSize& size,
                              const QFontMetricsF& metrics);
 

@@ -2,37 +2,24 @@
 
 #include <QLineF>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "elsie/picture/axis.h"
+
+#include "scene/drawing.h"
 
 namespace elsie::desktop {
 namespace {
 
 constexpr double kNear = 0.02;  // m, from the camera
 
-const QColor kGrid(0, 0, 0, 28);
 const QColor kPaper(255, 255, 255, 215);
 const QColor kInk(25, 25, 25);
 
-struct RoleStyle {
-  QColor colour;
-  double width;
-  Qt::PenStyle line = Qt::SolidLine;
-};
-
-const RoleStyle& style_of(SketchRole role) {
-  static const std::array<RoleStyle, 7> styles{
-      {{QColor(0x2a, 0x7a, 0xb8, 110), 1.0},                // range
-       {QColor(0xc0, 0x30, 0x30, 210), 1.2, Qt::DashLine},  // hit
-       {QColor(0x2f, 0x6f, 0x9f, 80), 1.0},                 // field
-       {QColor(0x1b, 0x5f, 0xb0, 230), 1.4},                // target
-       {QColor(0x9c, 0x2f, 0x8a, 230), 1.8},                // wish
-       {QColor(0x5a, 0x5f, 0x6b, 220), 1.4, Qt::DotLine},   // belief
-       {QColor(0x00, 0x83, 0x8f, 220), 1.6}}};              // message
-  // The memory is shared with a process that runs plugins.
-  return styles[std::min(static_cast<std::size_t>(role), styles.size() - 1)];
+QColor colour_of(const Colour& colour, double opacity = 1.0) {
+  QColor made(colour.red, colour.green, colour.blue);
+  made.setAlphaF(static_cast<float>(opacity));
+  return made;
 }
 
 }  // namespace
@@ -65,31 +52,83 @@ void OverlayPainter::outlines() const {
   }
 }
 
-void OverlayPainter::grid() const {
-  painter_.setPen(QPen(kGrid, 1.0));
+void OverlayPainter::strokes(const std::vector<render::Stroke>& strokes) const {
+  for (const render::Stroke& stroke : strokes) {
+    painter_.setPen(QPen(colour_of(stroke.colour, stroke.opacity), stroke.width,
+                         stroke.dash > 0.0 ? Qt::DashLine : Qt::SolidLine));
+    line(stroke.from, stroke.to);
+  }
+}
+
+void OverlayPainter::scale() const {
   const double x = 0.5 * stage_.length(), y = 0.5 * stage_.width();
-  const double step = picture::nice_step(std::max(stage_.length(), stage_.width()), 10);
-  for (const double at : picture::multiples(-x, x, step).at) {
-    line({at, -y, 0.0}, {at, y, 0.0});
-  }
-  for (const double at : picture::multiples(-y, y, step).at) {
-    line({-x, at, 0.0}, {x, at, 0.0});
-  }
+  const double step = grid_step(stage_, camera_);
+  const double aside = 0.1 + 0.02 * std::max(x, y);  // beyond a wall
+  const Vector3 eye = camera_.frame().origin;
+  // Along the edges nearest to the camera.
+  const double south = eye.y < 0.0 ? -1.0 : 1.0, west = eye.x < 0.0 ? -1.0 : 1.0;
+  const QFont before = painter_.font();
+  QFont small = before;
+  small.setPointSizeF(0.85 * small.pointSizeF());
+  painter_.setFont(small);
+  const auto along = [&](double reach, const auto& place, const Vector3& away, const char* axis) {
+    const picture::Ticks ticks = picture::multiples(-reach, reach, step);
+    double free_from = -1e9;  // px, along the numbers
+    QPointF last(-1e6, -1e6);
+    // The first of one axis is where that of the other is.
+    for (std::size_t i = *axis == 'y'; i < ticks.at.size() && ticks.at.size() < 200; ++i) {
+      const auto at = camera_.project(place(ticks.at[i]), size_);
+      if (!at) continue;
+      const double way = QLineF(last, *at).length();
+      if (way < free_from) continue;
+      QString text = QString::fromStdString(picture::tick_label(ticks.at[i], step));
+      if (i + 1 == ticks.at.size()) text = axis + QString(" = ") + text + " m";
+      free_from = 12.0 + number(place(ticks.at[i]), away, text);
+      last = *at;
+    }
+  };
+  along(
+      x,
+      [&](double at) {
+        return Vector3{at, south * (y + aside), 0.0};
+      },
+      {0.0, south, 0.0}, "x");
+  along(
+      y,
+      [&](double at) {
+        return Vector3{west * (x + aside), at, 0.0};
+      },
+      {west, 0.0, 0.0}, "y");
+  painter_.setFont(before);
+}
+
+/// Returns how wide it is, px; 0 if it is not in the picture.
+double OverlayPainter::number(const Vector3& at, const Vector3& away, const QString& text) const {
+  const auto begin = camera_.project(at, size_), end = camera_.project(at + 0.1 * away, size_);
+  if (!begin || !end || !QRectF(QPointF(), QSizeF(size_)).contains(*begin)) return 0.0;
+  const QFontMetricsF metrics(painter_.font());
+  const double wide = metrics.horizontalAdvance(text), high = metrics.height();
+  // The box touches the edge with the side that is nearest to it.
+  QPointF way = *end - *begin;
+  way /= std::max(1e-6, std::hypot(way.x(), way.y()));
+  const QPointF middle = *begin + QPointF(0.5 * wide * way.x(), 0.5 * high * way.y());
+  painter_.setPen(scale_ink_);
+  painter_.drawText(QRectF(middle - QPointF(0.5 * wide, 0.5 * high), QSizeF(wide + 1.0, high)),
+                    Qt::AlignCenter, text);
+  return wide;
 }
 
 void OverlayPainter::sketches() const {
   for (const snapshots::MarkState& mark : stage_.marks()) {
-    const RoleStyle& style = style_of(mark.role);
-    painter_.setPen(QPen(style.colour, style.width, style.line));
+    const SketchStyle& style = style_of(mark.role);
+    painter_.setPen(QPen(colour_of(style.colour, style.opacity), style.width));
     switch (mark.kind) {
       case Sketch::Kind::points:
         point(mark.begin(), mark.role);
         break;
       case Sketch::Kind::line:
-        line(mark.begin(), mark.end());
         break;
       case Sketch::Kind::arrow:
-        line(mark.begin(), mark.end());
         arrow_head(mark.begin(), mark.end());
         break;
       case Sketch::Kind::text:
@@ -98,6 +137,30 @@ void OverlayPainter::sketches() const {
         }
         break;
     }
+  }
+}
+
+void OverlayPainter::rings() const {
+  constexpr double kLeast = 8.0, kRadius = 7.0, kTip = 4.0;  // px
+  for (const Stage::Body& body : stage_.bodies()) {
+    const Stage::Solid* chassis =
+        body.is_present && body.is_robot() ? stage_.chassis_of(body) : nullptr;
+    if (!chassis) continue;
+    const Vector3& size = chassis->shape.size;
+    const double half = 0.5 * std::max(size.x, size.y);
+    const auto at = camera_.project(body.frame.origin, size_);
+    const auto side = camera_.project(body.frame.origin + half * camera_.frame().left, size_);
+    const auto front = camera_.project(body.frame.point({half, 0.0, 0.0}), size_);
+    if (!at || !side || !front || 2.0 * QLineF(*at, *side).length() >= kLeast) continue;
+    const QColor colour = colour_of(body.colour);
+    painter_.setPen(QPen(Qt::white, 3.5));
+    painter_.drawEllipse(*at, kRadius, kRadius);
+    painter_.setPen(QPen(colour, 2.0));
+    painter_.drawEllipse(*at, kRadius, kRadius);
+    QLineF heading(*at, *front);
+    if (heading.length() < 1e-3) continue;
+    heading.setLength(kRadius + kTip);
+    painter_.drawLine(QLineF(heading.pointAt(kRadius / (kRadius + kTip)), heading.p2()));
   }
 }
 
@@ -130,7 +193,7 @@ void OverlayPainter::point(const Vector3& place, SketchRole role) const {
     painter_.drawEllipse(*at, kDot, kDot);
   } else {
     painter_.setPen(Qt::NoPen);
-    painter_.setBrush(style_of(role).colour);
+    painter_.setBrush(colour_of(style_of(role).colour, style_of(role).opacity));
     painter_.drawEllipse(*at, kDot, kDot);
     painter_.setBrush(Qt::NoBrush);
   }

@@ -1,4 +1,4 @@
-// What is drawn over the solids: grid, sketches of plugins, names.
+// What is drawn over the solids: numbers of the grid, marks of plugins, names.
 #pragma once
 
 #include <QPainter>
@@ -14,16 +14,21 @@ namespace elsie::desktop {
 class OverlayPainter {
  public:
   OverlayPainter(QPainter& painter, const Stage& stage, const OrbitCamera& camera,
-                 const QSize& size)
-      : painter_(painter), stage_(stage), camera_(camera), size_(size) {}
+                 const QSize& size, const QColor& scale_ink)
+      : painter_(painter), stage_(stage), camera_(camera), size_(size), scale_ink_(scale_ink) {}
 
   /// Draws a line. A line that ends behind the camera is cut at the camera's plane.
   void line(const Vector3& from, const Vector3& to) const;
   /// Draws outlines in place of solids, without OpenGL.
   void outlines() const;
-  void grid() const;
-  /// Draws what plugins draw, in a style for each role.
+  /// Draws lines in place of a renderer.
+  void strokes(const std::vector<render::Stroke>& strokes) const;
+  /// Draws the numbers of the grid along two edges of the arena, and the letters of its axes.
+  void scale() const;
+  /// Draws what plugins draw, in a style for each role, but for lines.
   void sketches() const;
+  /// Draws a ring around each robot that is too small to be seen.
+  void rings() const;
   /// Draws the names of robots.
   void names() const;
   /// Draws a box with a text; its lower left corner is `at`.
@@ -33,11 +38,13 @@ class OverlayPainter {
   void note(const Label& label) const;
   void arrow_head(const Vector3& from, const Vector3& to) const;
   void point(const Vector3& at, SketchRole role) const;
+  double number(const Vector3& at, const Vector3& away, const QString& text) const;
 
   QPainter& painter_;
   const Stage& stage_;
   const OrbitCamera& camera_;
   QSize size_;
+  QColor scale_ink_;
 };
 
 }  // namespace elsie::desktop

@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "elsie/render/renderer.h"
-
 #include "paint/padlock.h"
+#include "scene/drawing.h"
 #include "scene/overlay_painter.h"
 
 namespace elsie::desktop {
@@ -32,17 +31,12 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setMinimumSize(160, 120);
   setAttribute(Qt::WA_OpaquePaintEvent);
-  try {
-    renderer_ = std::make_unique<render::Renderer>();
-  } catch (const render::RenderError&) {  // outlines by Qt
-  }
+  connect(&refining_, &QTimer::timeout, this, &SceneView::refine);
 }
 
 SceneView::~SceneView() = default;
 
-QString SceneView::device() const {
-  return renderer_ ? QString::fromStdString(renderer_->device()) : QString();
-}
+QString SceneView::device() const { return photograph_.device(); }
 
 // The scene and its names
 
@@ -68,11 +62,10 @@ void SceneView::take(const snapshots::Snapshot& snapshot) {
   if (!stage_.take(snapshot)) {
     return;
   }
-  if (const Stage::Body* body = followed_.isEmpty() ? nullptr : stage_.body_of(followed_)) {
-    camera_.target = {body->frame.origin.x, body->frame.origin.y, 0.0};
-    trails_.paint_anew();
+  if (stage_.has_changed()) {
+    follow_robot();
+    is_stale_ = true;
   }
-  is_stale_ = true;
   update();
 }
 
@@ -99,6 +92,9 @@ void SceneView::begin_trails_at(double time_s) {
 void SceneView::set_selection(const QStringList& paths) {
   if (paths != selection_) {
     selection_ = paths;
+    // The mark of a sensor is in the photograph.
+    is_stale_ =
+        is_stale_ || stage_.sensor_frame(drawn_sensor_) || stage_.sensor_frame(selection_.value(0));
     stop_drag();
     update();
   }
@@ -147,19 +143,31 @@ void SceneView::camera_moved() {
   update();
 }
 
+/// Whoever looks from elsewhere is no longer in a robot's place.
+void SceneView::leave_seat() {
+  if (camera_.seat) followed_.clear();
+  camera_.seat.reset();
+}
+
 void SceneView::show_all() {
-  camera_.show(std::max(0.1, stage_.length()), std::max(0.1, stage_.width()), size());
+  leave_seat();
+  // With the walls, and the numbers beyond them.
+  const double around = 0.15 + 0.03 * std::max(stage_.length(), stage_.width());
+  camera_.show(stage_.length() + around, stage_.width() + around, stage_.height(), size());
   all_ = camera_;
   camera_moved();
 }
 
 void SceneView::look(const OrbitCamera::View& from) {
+  const bool shows_all = camera_ == all_;
+  leave_seat();
   camera_.yaw = from.yaw;
   camera_.pitch = from.pitch;
-  camera_moved();
+  shows_all ? show_all() : camera_moved();
 }
 
 void SceneView::frame_selection() {
+  leave_seat();
   if (const auto frame = frame_of_selected()) {
     camera_.target = {frame->origin.x, frame->origin.y, 0.0};
     camera_.distance = std::min(camera_.distance, std::max(0.6, 0.15 * stage_.length()));
@@ -169,12 +177,33 @@ void SceneView::frame_selection() {
   }
 }
 
-void SceneView::follow(const QString& path) {
+void SceneView::follow(const QString& path, Follow how) {
   followed_ = path;
+  follows_ = how;
+  camera_.seat.reset();
   if (const Stage::Body* body = path.isEmpty() ? nullptr : stage_.body_of(path)) {
-    camera_.target = {body->frame.origin.x, body->frame.origin.y, 0.0};
-    camera_moved();
+    constexpr double kBehind = 1.6, kOblique = -0.45;  // m, rad
+    if (how == Follow::behind) {
+      camera_.distance = kBehind;
+      camera_.pitch = kOblique;
+      camera_.yaw = heading_rad(body->frame);
+    }
+    follow_robot();
   }
+  camera_moved();
+}
+
+void SceneView::follow_robot() {
+  const Stage::Body* body = followed_.isEmpty() ? nullptr : stage_.body_of(followed_);
+  if (!body) return;
+  camera_.target = {body->frame.origin.x, body->frame.origin.y, 0.0};
+  if (follows_ == Follow::behind) {
+    constexpr double kPart = 0.15;  // of a turn that the camera makes with each picture
+    camera_.yaw += kPart * wrap_angle(heading_rad(body->frame) - camera_.yaw);
+  } else if (follows_ == Follow::eye) {
+    camera_.seat = stage_.seat_of(followed_);
+  }
+  trails_.paint_anew();
 }
 
 // Painting
@@ -187,37 +216,73 @@ void SceneView::resizeEvent(QResizeEvent* event) {
   is_stale_ = true;
 }
 
-void SceneView::draw_solids() {
+bool SceneView::is_dark() const { return palette().color(QPalette::Window).lightness() < 128; }
+
+void SceneView::compose() {
   is_stale_ = false;
+  drawn_overlays_ = overlays_;
+  drawn_sensor_ = selection_.value(0);
+  refining_.stop();
+  if (!photograph_.is_possible()) return;
   const double ratio = devicePixelRatioF();
   const int width = std::max(1, static_cast<int>(this->width() * ratio));
   const int height = std::max(1, static_cast<int>(this->height() * ratio));
-  if (!renderer_) {
-    return;
+  render::Scene scene = stage_.drawn();
+  render::Style style;
+  style.arena = {stage_.length(), stage_.width()};
+  if (is_dark()) {
+    style.outside = {42, 45, 50};
+    style.horizon = {52, 56, 62};
+    style.zenith = {24, 27, 32};
+    if (!stage_.has_own_floor()) scene.floor = {172, 176, 180};
   }
-  render::View view{camera_.frame(), {width, height, OrbitCamera::kFov}};
-  Image* const pictures[] = {&pixels_};
-  try {
-    renderer_->render(stage_.drawn(), std::span(&view, 1), pictures);
-  } catch (const render::RenderError&) {
-    renderer_.reset();
-    return;
+  if (overlays_.grid) scene.drawing = grid_lines(stage_, camera_);
+  const auto append = [](std::vector<render::Stroke>& to, const std::vector<render::Stroke>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  append(scene.drawing, goal_lines(stage_));
+  if (overlays_.sketches) scene.strokes = sketch_lines(stage_);
+  if (const auto sensor = stage_.sensor_frame(drawn_sensor_)) {
+    append(scene.strokes, sensor_lines(*sensor));
   }
-  drawn_ = QImage(pixels_.bytes.data(), width, height, static_cast<qsizetype>(width) * 3,
-                  QImage::Format_RGB888);
-  drawn_.setDevicePixelRatio(ratio);
+  for (auto* strokes : {&scene.drawing, &scene.strokes}) {
+    for (render::Stroke& each : *strokes) each.width *= ratio, each.dash *= ratio;
+  }
+  photograph_.take(scene,
+                   {camera_.frame(),
+                    {width, height, camera_.fov()},
+                    camera_.seat ? stage_.carrier_of(followed_) : render::kNobody},
+                   style);
+  constexpr int kStill_ms = 200;  // without a movement
+  refining_.start(kStill_ms);
+}
+
+/// Between two passes, the window takes its events.
+void SceneView::refine() {
+  photograph_.refine();
+  const int passes = photograph_.refined();
+  if (photograph_.is_finished() || !photograph_.is_possible()) {
+    refining_.stop();
+  } else {
+    refining_.setInterval(0);
+  }
+  // Each time that the picture has become twice as fine.
+  if (passes >= 4 && (passes & (passes - 1)) == 0) {
+    photograph_.develop();
+    update();
+  }
 }
 
 void SceneView::paintEvent(QPaintEvent*) {
-  if (is_stale_) {
-    draw_solids();
-  }
+  if (is_stale_ || drawn_overlays_ != overlays_) compose();
   QPainter painter(this);
   paint(painter, true);
 }
 
-QImage SceneView::picture() {
-  draw_solids();
+QImage SceneView::picture(int passes) {
+  compose();
+  while (photograph_.is_possible() && photograph_.refined() < passes) photograph_.refine();
+  if (photograph_.is_possible()) photograph_.develop();
   QImage image(size() * devicePixelRatioF(), QImage::Format_RGB32);
   image.setDevicePixelRatio(devicePixelRatioF());
   QPainter painter(&image);
@@ -226,26 +291,35 @@ QImage SceneView::picture() {
 }
 
 void SceneView::paint(QPainter& painter, bool with_handles) {
-  if (renderer_ && !drawn_.isNull()) {
-    painter.drawImage(QPoint(0, 0), drawn_);
+  if (stage_.is_empty() && !notice_.isEmpty()) {
+    painter.fillRect(rect(), palette().color(QPalette::Base));
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, notice_);
+    return;
+  }
+  const double ratio = devicePixelRatioF();
+  const QImage trails = overlays_.trails ? trails_.paint(stage_, camera_, size(), ratio) : QImage();
+  const bool is_drawn = photograph_.is_possible() && !photograph_.image().isNull();
+  if (is_drawn) {
+    if (!trails.isNull()) lay_on_floor(photograph_.image(), trails, with_trails_);
+    const QImage& drawn = trails.isNull() ? photograph_.image() : with_trails_;
+    painter.drawImage(QRectF(QPointF(0.0, 0.0), QSizeF(drawn.size()) / ratio), drawn);
   } else {
     painter.fillRect(rect(), QColor(226, 228, 224));
   }
   painter.setRenderHint(QPainter::Antialiasing);
-  if (stage_.is_empty()) {
-    if (!notice_.isEmpty()) {
-      painter.fillRect(rect(), palette().color(QPalette::Base));
-      painter.setPen(palette().color(QPalette::Text));
-      painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, notice_);
-    }
-    return;
+  if (stage_.is_empty()) return;
+  const OverlayPainter over(painter, stage_, camera_, size(),
+                            is_dark() ? QColor(190, 195, 200) : QColor(80, 86, 94));
+  if (!is_drawn) {
+    over.outlines();
+    if (overlays_.grid) over.strokes(grid_lines(stage_, camera_));
+    over.strokes(goal_lines(stage_));
+    if (!trails.isNull()) painter.drawImage(QPoint(0, 0), trails);
+    if (overlays_.sketches) over.strokes(sketch_lines(stage_));
   }
-  const OverlayPainter over(painter, stage_, camera_, size());
-  if (!renderer_) over.outlines();
-  if (overlays_.grid) over.grid();
-  if (overlays_.trails) {
-    trails_.paint(painter, stage_, camera_, size(), devicePixelRatioF());
-  }
+  if (overlays_.grid) over.scale();
+  over.rings();
   if (overlays_.sketches) over.sketches();
   if (overlays_.names) over.names();
   if (with_handles) {

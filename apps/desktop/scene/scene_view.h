@@ -5,26 +5,23 @@
 #include <QImage>
 #include <QSet>
 #include <QStringList>
+#include <QTimer>
 #include <QWidget>
-#include <memory>
 #include <optional>
 
 #include "scene/camera.h"
 #include "scene/labels.h"
+#include "scene/photograph.h"
 #include "scene/stage.h"
 #include "scene/trails.h"
 #include "scene/typed_drag.h"
-
-namespace elsie::render {
-class Renderer;
-}
 
 namespace elsie::desktop {
 
 class OverlayPainter;
 
-/// Draws the solids off screen, where Mesa's software renderer is faster than in a window, and
-/// draws lines, handles and words over them.
+/// Draws the world off screen, where Mesa's software renderer is faster than in a window, and draws
+/// handles and words over it.
 ///
 /// The left button orbits, the right one pans, the wheel zooms to the pointer. A click selects,
 /// with Shift several objects; a right click opens the editor. A selected object is moved by a drag
@@ -43,7 +40,11 @@ class SceneView : public QWidget {
     bool sketches = true;  // of plugins
     bool names = true;
     bool grid = true;
+
+    friend bool operator==(const Overlays&, const Overlays&) = default;
   };
+  /// How the camera goes with a robot.
+  enum class Follow { above, behind, eye };
 
   explicit SceneView(QWidget* parent = nullptr);
   ~SceneView() override;
@@ -79,11 +80,16 @@ class SceneView : public QWidget {
   void look(const OrbitCamera::View& from);
   void frame_selection();
   /// The camera follows this robot; "" stops following.
-  void follow(const QString& path);
+  void follow(const QString& path, Follow how = Follow::above);
   QString followed() const { return followed_; }
+  Follow follows() const { return follows_; }
 
-  /// A picture of the view without handles.
-  QImage picture();
+  /// The number of passes of a picture that is kept, and of a film's.
+  static constexpr int kPicture = render::kFinished, kFilm = 4;
+  /// A picture of the view without handles, of as many passes.
+  QImage picture(int passes = kPicture);
+  /// What is seen of the world without lines and words.
+  const Photograph& photograph() const { return photograph_; }
   /// The names that are drawn: as many as there is room for, those nearest to the camera first.
   std::vector<Label> labels() const;
   /// The OpenGL renderer, such as "llvmpipe ..."; "" if Qt draws outlines, without OpenGL.
@@ -131,7 +137,11 @@ class SceneView : public QWidget {
     std::optional<Vector3> size;
   };
 
-  void draw_solids();
+  void compose();
+  void refine();
+  void follow_robot();
+  void leave_seat();
+  bool is_dark() const;
   void paint(QPainter& painter, bool with_handles);
   void paint_selection(QPainter& painter, const OverlayPainter& over) const;
   void paint_locks(QPainter& painter) const;
@@ -156,15 +166,18 @@ class SceneView : public QWidget {
   OrbitCamera camera_;
   OrbitCamera all_;  // as show_all() left it
   Overlays overlays_;
-  std::unique_ptr<render::Renderer> renderer_;  // null: outlines by Qt
-  Image pixels_;
-  QImage drawn_;
+  Photograph photograph_;
+  QImage with_trails_;  // the photograph and the trails
+  QTimer refining_;     // while nothing moves
   bool is_stale_ = true;
+  Overlays drawn_overlays_;  // of the photograph
+  QString drawn_sensor_;
   bool was_shown_ = false;
   Trails trails_;
   QStringList selection_;
   QSet<QString> locked_;
   QString followed_;
+  Follow follows_ = Follow::above;
   QString notice_;
   Tool tool_ = Tool::move;
 

@@ -59,8 +59,9 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
   if (drag_ == Drag::pressed && QLineF(at, pressed_).length() >= kClick) {
     const bool pans = button_ == Qt::RightButton || button_ == Qt::MiddleButton;
     drag_ = pans ? Drag::pan : Drag::orbit;
-    if (pans) {
-      followed_.clear();
+    // Who takes the camera leaves the robot's place.
+    if (pans || camera_.seat) {
+      follow({});
     }
   }
   const QPointF by = at - last_;
@@ -239,6 +240,9 @@ bool SceneView::event(QEvent* event) {
     event->accept();  // the view uses Enter and numbers now
     return true;
   }
+  if (event->type() == QEvent::PaletteChange) {
+    is_stale_ = true;  // dark or light
+  }
   return QWidget::event(event);
 }
 
@@ -255,6 +259,7 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
   };
   switch (event->key()) {
     case Qt::Key_Escape:
+      if (camera_.seat) follow({});
       stop_drag();
       set_tool(Tool::move);
       break;

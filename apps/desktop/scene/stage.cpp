@@ -3,7 +3,9 @@
 #include <QImage>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -66,8 +68,29 @@ Shape shape_from(const Json& json) {
 }
 
 Stage::Solid solid_from(const Json& json) {
-  return {shape_from(json), frame_from(json.at("frame")), colour_from(json.at("colour")),
-          json.at("body").get<int>(), text_of(json, "path")};
+  const QString role = text_of(json, "role");
+  return {shape_from(json),
+          frame_from(json.at("frame")),
+          colour_from(json.at("colour")),
+          json.at("body").get<int>(),
+          text_of(json, "path"),
+          role == "wheel"  ? render::Material::wheel
+          : role == "wall" ? render::Material::wall
+                           : render::Material::plain,
+          role == "chassis" && json.at("body").get<int>() >= 0};
+}
+
+/// The frame of a wheel that has turned about its axle.
+Frame turned(const Frame& frame, double by_rad) {
+  const double c = std::cos(by_rad), s = std::sin(by_rad);
+  return {frame.origin, c * frame.forward - s * frame.up, frame.left,
+          s * frame.forward + c * frame.up};
+}
+
+/// A colour that is easy to see on another one.
+Colour ink_on(const Colour& ground) {
+  const int light = 3 * ground.red + 6 * ground.green + ground.blue;  // of 2550
+  return light > 1500 ? Colour{45, 48, 54} : Colour{244, 246, 248};
 }
 
 render::FlatPatch patch_of(const Stage::Solid& solid, const Frame& frame) {
@@ -86,8 +109,18 @@ void add(render::Scene& scene, const Stage::Solid& solid, const Frame& frame) {
   } else if (shape.is_round() && shape.size.z < kDisc) {
     scene.marks.push_back({{frame.origin.x, frame.origin.y}, shape.radius(), solid.colour});
   } else {
-    render::add(scene, shape, frame, solid.colour);
+    render::add(scene, shape, solid.turned_rad == 0.0 ? frame : turned(frame, solid.turned_rad),
+                solid.colour,
+                solid.body < 0 ? render::kNobody : static_cast<std::size_t>(solid.body),
+                solid.material);
   }
+}
+
+/// A ball that shines, with a halo and a pool of light on the floor.
+void add_light(render::Scene& scene, const Stage::Solid& light, const Frame& frame, double halo,
+               double pool) {
+  render::add(scene, light.shape, frame, light.colour, render::kNobody, render::Material::glowing);
+  scene.glows.push_back({frame.origin, halo * light.shape.radius(), pool, light.colour});
 }
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -133,6 +166,8 @@ bool Stage::set_scene(const Json& scene, std::uint64_t epoch) {
   solids_.clear();
   lights_.clear();
   marks_.clear();
+  goals_.clear();
+  sensors_.clear();
   if (!scene.is_object()) {
     return false;
   }
@@ -151,6 +186,13 @@ bool Stage::set_scene(const Json& scene, std::uint64_t epoch) {
   with_fields_.reset();
   bodies_ = std::move(whole.bodies_);
   solids_ = std::move(whole.solids_);
+  chassis_.assign(bodies_.size(), -1);
+  for (std::size_t i = solids_.size(); i-- > 0;) {
+    if (solids_[i].is_chassis) chassis_[static_cast<std::size_t>(solids_[i].body)] = int(i);
+  }
+  goals_ = std::move(whole.goals_);
+  sensors_ = std::move(whole.sensors_);
+  is_placed_ = false;
   ground_ = image_;
   if (has_fields_) {
     std::vector<render::FlatPatch> patches;
@@ -191,6 +233,17 @@ void Stage::read(const Json& scene) {
     }
     solids_.push_back(std::move(solid));
   }
+
+  for (const Json& each : member(scene, "goals")) {
+    const Json& at = each.at("at");
+    goals_.push_back({{at.at(0).get<double>(), at.at(1).get<double>()},
+                      each.at("radius").get<double>(),
+                      each.at("body").get<int>(),
+                      text_of(each, "whose")});
+  }
+  for (const Json& each : member(scene, "sensors")) {
+    sensors_[text_of(each, "path")] = {each.at("body").get<int>(), frame_from(each.at("frame"))};
+  }
 }
 
 void Stage::take_fields(const Json& fields) {
@@ -211,6 +264,14 @@ void Stage::take_lights(const Json& lights) {
 }
 
 bool Stage::take(const snapshots::Snapshot& snapshot) {
+  const auto differs = [](const auto& now, const auto& before) {
+    return now.size() != before.size() ||
+           (!now.empty() && std::memcmp(now.data(), before.data(), now.size_bytes()) != 0);
+  };
+  has_changed_ = facts_.epoch != snapshot.facts.epoch || differs(snapshot.bodies, states_) ||
+                 differs(snapshot.marks, states_of_marks_) ||
+                 // What is not stored of the past is drawn again.
+                 is_past() || snapshot.facts.time_s < latest_s_;
   facts_ = snapshot.facts;
   states_.assign(snapshot.bodies.begin(), snapshot.bodies.end());
   states_of_marks_.assign(snapshot.marks.begin(), snapshot.marks.end());
@@ -225,13 +286,80 @@ void Stage::place() {
   if (facts_.epoch != epoch_ || states_.size() != bodies_.size()) {
     return;
   }
+  const std::vector<Body> before = is_placed_ ? bodies_ : std::vector<Body>();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     bodies_[i].frame = states_[i].frame();
     bodies_[i].is_present = states_[i].present > 0.0F;
   }
+  if (is_placed_) roll_wheels(before);
+  is_placed_ = true;
   marks_ = states_of_marks_;
   time_s_ = facts_.time_s;
   latest_s_ = std::max(latest_s_, time_s_);
+}
+
+/// Wheels roll as far as their middles have moved ahead. A robot that was put somewhere else, or
+/// that has come far since the last snapshot, has not rolled there as one would see it.
+void Stage::roll_wheels(const std::vector<Body>& before) {
+  constexpr double kJump = 0.5;  // m
+  for (Solid& solid : solids_) {
+    if (solid.material != render::Material::wheel || solid.body < 0) continue;
+    const auto body = static_cast<std::size_t>(solid.body);
+    const Frame now = bodies_[body].frame.frame(solid.frame);
+    const Vector3 moved = now.origin - before[body].frame.point(solid.frame.origin);
+    if (dot(moved, moved) > kJump * kJump || solid.shape.radius() <= 0.0) continue;
+    solid.turned_rad = std::remainder(
+        solid.turned_rad + dot(moved, now.forward) / solid.shape.radius(), 2.0 * std::numbers::pi);
+  }
+}
+
+std::vector<Stage::Goal> Stage::goals() const {
+  std::vector<Goal> goals = goals_;
+  for (Goal& goal : goals) {
+    const auto body = static_cast<std::size_t>(goal.body);
+    if (goal.body < 0 || body >= bodies_.size()) continue;
+    const Vector3 at = bodies_[body].frame.point({goal.at.x, goal.at.y, 0.0});
+    goal.at = {at.x, at.y};
+  }
+  return goals;
+}
+
+std::optional<Frame> Stage::sensor_frame(const QString& path) const {
+  const auto found = sensors_.constFind(path);
+  if (found == sensors_.constEnd()) return std::nullopt;
+  const auto& [body, frame] = *found;
+  const auto number = static_cast<std::size_t>(body);
+  if (body < 0 || number >= bodies_.size() || !bodies_[number].is_present) return std::nullopt;
+  return bodies_[number].frame.frame(frame);
+}
+
+const Stage::Solid* Stage::chassis_of(const Body& body) const {
+  const int solid = chassis_[static_cast<std::size_t>(&body - bodies_.data())];
+  return solid < 0 ? nullptr : &solids_[static_cast<std::size_t>(solid)];
+}
+
+std::size_t Stage::carrier_of(const QString& robot) const {
+  const Body* body = body_of(robot);
+  return body ? static_cast<std::size_t>(body - bodies_.data()) : render::kNobody;
+}
+
+std::optional<Frame> Stage::seat_of(const QString& robot) const {
+  const Body* body = body_of(robot);
+  const Solid* chassis = body ? chassis_of(*body) : nullptr;
+  if (!body || !chassis || !body->is_present) return std::nullopt;
+  constexpr double kEyes = 0.03;  // m
+  Frame seat = body->frame;
+  seat.origin = frame_of(*chassis).point(
+      {0.3 * chassis->shape.size.x, 0.0, 0.5 * chassis->shape.size.z + kEyes});
+  return seat;
+}
+
+double Stage::height() const {
+  double height = 0.0;
+  for (const Solid& solid : solids_) {
+    if (solid.material == render::Material::wall) height = std::max(height, solid.shape.size.z);
+  }
+  return height;
 }
 
 Frame Stage::frame_of(const Solid& solid) const {
@@ -287,14 +415,36 @@ render::Scene Stage::drawn() const {
   scene.sky = kSky;
   for (const Solid& solid : solids_) {
     const bool is_below = shows_fields && is_patch(solid.path);  // it is in the image
-    if (is_present(solid) && !is_below) {
-      add(scene, solid, frame_of(solid));
+    if (!is_present(solid) || is_below) continue;
+    if (solid.path.startsWith("lamp[")) {
+      const double height = frame_of(solid).origin.z;
+      add_light(scene, solid, frame_of(solid), 7.0, std::clamp(2.0 * height, 0.7, 3.0));
+      continue;
+    }
+    add(scene, solid, frame_of(solid));
+    if (solid.is_chassis && bodies_[static_cast<std::size_t>(solid.body)].is_robot()) {
+      add_front(scene, solid);
     }
   }
   for (std::size_t i = 0; !is_past() && i < lights_.size(); ++i) {
-    add(scene, lights_[i], lights_[i].frame);
+    add_light(scene, lights_[i], lights_[i].frame, 5.0, 0.2);
   }
   return scene;
+}
+
+/// An arrow on the top of a chassis, at its front.
+void Stage::add_front(render::Scene& scene, const Solid& chassis) const {
+  const Vector3& size = chassis.shape.size;
+  const double length = 0.42 * std::min(size.x, 1.3 * size.y), half = 0.42 * length;
+  const double height = std::clamp(0.04 * size.z, 0.002, 0.02);
+  const Frame frame = frame_of(chassis);
+  const double from_tip = chassis.shape.has_corners() ? 0.1 : 0.16;  // of the length of the chassis
+  const Vector3 middle{(0.5 - from_tip) * size.x - 0.6 * length, 0.0, 0.5 * size.z};
+  scene.prisms.push_back({{frame.point(middle), frame.forward, frame.left, frame.up},
+                          {{0.6 * length, 0.0}, {-0.4 * length, half}, {-0.4 * length, -half}},
+                          height,
+                          ink_on(chassis.colour),
+                          static_cast<std::size_t>(chassis.body)});
 }
 
 QString Stage::at(const Vector3& from, const Vector3& direction, double* way_there) const {

@@ -34,6 +34,16 @@ class Stage {
     Colour colour;
     int body = -1;  // -1: the arena's
     QString path;
+    render::Material material = render::Material::plain;
+    bool is_chassis = false;
+    double turned_rad = 0.0;  // a wheel, by the way that it has rolled
+  };
+  /// The place of a goal.
+  struct Goal {
+    Vector2 at;
+    double radius = 0.0;
+    int body = -1;  // in whose frame it is; -1: the world
+    QString whose;
   };
 
   /// Reads a scene; an invalid one leaves the stage empty. Returns whether it was valid.
@@ -60,6 +70,19 @@ class Stage {
   static bool is_patch(const QString& path) {
     return path.startsWith("patch[") || path.startsWith("nest[");
   }
+  /// Whether the last snapshot showed something that the one before did not.
+  bool has_changed() const { return has_changed_; }
+  bool has_own_floor() const { return floor_.has_value() || image_.pixels || with_fields_; }
+  /// The goals' places, now.
+  std::vector<Goal> goals() const;
+  /// Where a sensor is, and where it looks; none if the path is not that of a sensor.
+  std::optional<Frame> sensor_frame(const QString& path) const;
+  /// Where a robot's eyes would be: above the front of its chassis.
+  std::optional<Frame> seat_of(const QString& robot) const;
+  /// The number of a robot's body, which carries its solids; render::kNobody if there is none.
+  std::size_t carrier_of(const QString& robot) const;
+  /// The height of the highest wall, m.
+  double height() const;
   double time_s() const { return time_s_; }
   /// Whether the shown time is earlier than the latest one.
   bool is_past() const { return time_s_ < latest_s_; }
@@ -69,6 +92,8 @@ class Stage {
   /// Marks for which the snapshot had no room.
   std::uint64_t left_out() const { return facts_.left_out; }
   const std::vector<Solid>& solids() const { return solids_; }
+  /// The chassis of a robot's first vehicle; null for another body.
+  const Solid* chassis_of(const Body& body) const;
   /// The frame of a solid in the world.
   Frame frame_of(const Solid& solid) const;
   /// The first body of the element; null if it has none.
@@ -90,6 +115,8 @@ class Stage {
  private:
   void read(const Json& scene);
   void place();
+  void roll_wheels(const std::vector<Body>& before);
+  void add_front(render::Scene& scene, const Solid& chassis) const;
 
   std::uint64_t epoch_ = 0;
   double length_ = 0.0, width_ = 0.0;
@@ -103,6 +130,11 @@ class Stage {
   std::vector<Body> bodies_;
   std::vector<Solid> solids_;
   std::vector<Solid> lights_;  // what robots shine
+  std::vector<Goal> goals_;
+  QHash<QString, std::pair<int, Frame>> sensors_;  // their bodies, and the frames in these
+  std::vector<int> chassis_;  // of each body, the number of its solid; -1: none
+  bool is_placed_ = false;    // the bodies have been placed once
+  bool has_changed_ = true;
   std::vector<snapshots::MarkState> marks_;
   // The last snapshot, perhaps of the next scene.
   snapshots::SnapshotFacts facts_;

@@ -79,10 +79,10 @@ std::vector<std::vector<QPointF>> Trails::pieces(const QString& robot, double un
   return pieces;
 }
 
-void Trails::paint(QPainter& painter, const Stage& stage, const OrbitCamera& camera,
-                   const QSize& size, double ratio) {
+const QImage& Trails::paint(const Stage& stage, const OrbitCamera& camera, const QSize& size,
+                            double ratio) {
   if (!past_) {
-    return;
+    return layer_;
   }
   const Samples& paths = past_->paths();
   const std::size_t end = paths.count_until(stage.time_s());
@@ -133,7 +133,7 @@ void Trails::paint(QPainter& painter, const Stage& stage, const OrbitCamera& cam
     }
     painted_ = end;
   }
-  painter.drawImage(QPoint(0, 0), layer_);
+  return layer_;
 }
 
 }  // namespace elsie::desktop

@@ -26,9 +26,10 @@ class Trails {
   void begin_at(double time_s);
   /// Call it when the camera, the size or the colours change.
   void paint_anew() { layer_ = QImage(); }
-  /// Paints the trails at this size in px, into a picture with `ratio` device pixels for each.
-  void paint(QPainter& painter, const Stage& stage, const OrbitCamera& camera, const QSize& size,
-             double ratio);
+  /// The trails alone, at this size in px, with `ratio` device pixels for each. Null without a
+  /// past.
+  const QImage& paint(const Stage& stage, const OrbitCamera& camera, const QSize& size,
+                      double ratio);
   /// The path of a robot until a time, in pieces: where the robot was absent, or was put somewhere
   /// else by hand, another piece begins.
   std::vector<std::vector<QPointF>> pieces(const QString& robot, double until_s) const;

@@ -1,0 +1,96 @@
+#include "scene/photograph.h"
+
+#include <QElapsedTimer>
+#include <algorithm>
+#include <span>
+
+#include "elsie/render/renderer.h"
+
+namespace elsie::desktop {
+
+void lay_on_floor(const QImage& photograph, const QImage& layer, QImage& result) {
+  if (result.size() != photograph.size()) {
+    result = QImage(photograph.size(), QImage::Format_RGB32);
+  }
+  const int width = std::min(photograph.width(), layer.width());
+  for (int y = 0; y < photograph.height(); ++y) {
+    const auto* from = reinterpret_cast<const QRgb*>(photograph.constScanLine(y));
+    auto* to = reinterpret_cast<QRgb*>(result.scanLine(y));
+    std::copy_n(from, photograph.width(), to);
+    if (y >= layer.height()) continue;
+    const auto* over = reinterpret_cast<const QRgb*>(layer.constScanLine(y));
+    for (int x = 0; x < width; ++x) {
+      if (over[x] == 0) continue;
+      // The layer's colours are multiplied by its alpha.
+      const int open = qAlpha(from[x]);
+      const auto part = [](int value, int of) { return (value * of + 127) / 255; };
+      const int left = 255 - part(qAlpha(over[x]), open);
+      to[x] = qRgb(part(qRed(over[x]), open) + part(qRed(from[x]), left),
+                   part(qGreen(over[x]), open) + part(qGreen(from[x]), left),
+                   part(qBlue(over[x]), open) + part(qBlue(from[x]), left));
+    }
+  }
+}
+
+Photograph::Photograph() {
+  try {
+    renderer_ = std::make_unique<render::Renderer>();
+  } catch (const render::RenderError&) {  // outlines by Qt
+  }
+}
+
+Photograph::~Photograph() = default;
+
+QString Photograph::device() const {
+  return renderer_ ? QString::fromStdString(renderer_->device()) : QString();
+}
+
+void Photograph::take(const render::Scene& scene, const render::View& view,
+                      const render::Style& style) {
+  if (!renderer_) return;
+  refined_ = long_passes_ = 0;
+  QElapsedTimer clock;
+  clock.start();
+  try {
+    renderer_->compose(scene, view, style);
+  } catch (const render::RenderError&) {
+    renderer_.reset();
+    return;
+  }
+  exposure_.begin(view.camera.width, view.camera.height);
+  const Quality::Level level = quality_.level();
+  for (int i = 0; i < level.passes; ++i) {
+    if (!expose(level.shadows)) return;
+  }
+  develop();
+  quality_.took(1e-6 * static_cast<double>(clock.nsecsElapsed()));
+}
+
+void Photograph::refine() {
+  if (!renderer_ || image_.isNull()) return;
+  if (refined_ == 0) exposure_.begin(exposure_.width(), exposure_.height());
+  QElapsedTimer clock;
+  clock.start();
+  if (!expose(render::Shadows::soft)) return;
+  ++refined_;
+  constexpr qint64 kMost_ms = 400;  // for which the window may take no events
+  long_passes_ = clock.elapsed() > kMost_ms ? long_passes_ + 1 : 0;
+}
+
+bool Photograph::expose(render::Shadows shadows) {
+  try {
+    renderer_->expose(shadows, exposure_);
+    return true;
+  } catch (const render::RenderError&) {
+    renderer_.reset();
+    return false;
+  }
+}
+
+void Photograph::develop() {
+  exposure_.develop(pixels_);
+  image_ = QImage(reinterpret_cast<const uchar*>(pixels_.data()), exposure_.width(),
+                  exposure_.height(), QImage::Format_RGB32);
+}
+
+}  // namespace elsie::desktop
