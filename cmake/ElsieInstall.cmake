@@ -99,6 +99,8 @@ set(CPACK_COMPONENT_DESKTOP_DESCRIPTION
 networks are trained, with the simulation in a process of its own.")
 set(CPACK_DEBIAN_DESKTOP_PACKAGE_NAME elsie-desktop)
 set(CPACK_DEBIAN_DESKTOP_PACKAGE_DEPENDS "elsie (= ${PROJECT_VERSION})")
+# The texts of Qt's own dialogs in other languages.
+set(CPACK_DEBIAN_DESKTOP_PACKAGE_RECOMMENDS "qt6-translations-l10n")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION
     "Elsie from Python: worlds, simulations, results, environments for learning; and
 behaviours, coordinators and other plugins that are written in Python.")

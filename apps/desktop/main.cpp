@@ -3,14 +3,14 @@
 #include <QCommandLineParser>
 #include <QFileInfo>
 #include <QMessageBox>
-#include <QTranslator>
-#include <clocale>
 #include <cstring>
 #include <iostream>
 #include <vector>
 
 #include "elsie/base/error.h"
 
+#include "look/language.h"
+#include "look/theme.h"
 #include "main_window.h"
 
 namespace {
@@ -55,16 +55,12 @@ int main(int argc, char** argv) {
     qputenv("LP_NUM_THREADS", "1");
   }
   QApplication application(count, arguments.data());
-  std::setlocale(LC_NUMERIC, "C");  // Qt sets the user's, in which 1.5 may be read as 15
   QApplication::setOrganizationName("elsie");
   QApplication::setApplicationName("elsie-desktop");
   QApplication::setApplicationDisplayName("Elsie");
 
-  QTranslator translator;  // for the user's language, if a translation exists
-  if (translator.load(QLocale(), "elsie", "_",
-                      QCoreApplication::applicationDirPath() + "/../share/elsie/translations")) {
-    QCoreApplication::installTranslator(&translator);
-  }
+  elsie::desktop::begin_language();
+  elsie::desktop::begin_theme();
 
   QCommandLineParser parser;
   parser.setApplicationDescription(

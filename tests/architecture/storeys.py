@@ -34,7 +34,7 @@ MAY_NEED = {
                                     "libelsie-views", "libelsie-testing", "libelsie-server", "libelsie-experiments", "libelsie-studies", "libspdlog",
                                     "libfmt"},
     "bin/elsie": {"libelsie-base", "libelsie-files", "libelsie", "libelsie-workshop", "libspdlog", "libfmt"},
-    "bin/elsie-desktop": {"libelsie-base", "libelsie-files", "libelsie-inference", "libelsie-render", "libelsie-views", "libelsie-session", "libQt6Widgets", "libQt6Gui", "libQt6Core"},
+    "bin/elsie-desktop": {"libelsie-base", "libelsie-files", "libelsie-inference", "libelsie-render", "libelsie-views", "libelsie-session", "libQt6Svg", "libQt6Widgets", "libQt6Gui", "libQt6Core"},
 }
 OPTIONAL = {"bin/elsie-desktop", "lib/elsie/python.so"}
 PLUGINS = {"libelsie-base", "libelsie", "libelsie-inference"}

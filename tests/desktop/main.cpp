@@ -1,22 +1,11 @@
 #define CATCH_CONFIG_RUNNER
 #include <QApplication>
-#include <QPalette>
-#include <QStyleFactory>
 #include <QTemporaryDir>
-#include <clocale>
 
 #include <catch2/catch.hpp>
 
-namespace {
-
-QPalette dark() {
-  QPalette palette(QColor(53, 53, 53), QColor(42, 42, 42));
-  palette.setColor(QPalette::Base, QColor(35, 35, 35));
-  palette.setColor(QPalette::Highlight, QColor(42, 130, 218));
-  return palette;
-}
-
-}  // namespace
+#include "look/language.h"
+#include "look/theme.h"
 
 int main(int argc, char** argv) {
   const QTemporaryDir own;  // settings, kept work and pictures: not those of the user
@@ -25,12 +14,11 @@ int main(int argc, char** argv) {
     qputenv(name, home.toUtf8());
   }
   QApplication application(argc, argv);
-  if (qEnvironmentVariableIsSet("ELSIE_PICTURE_DARK")) {
-    QApplication::setStyle(QStyleFactory::create("Fusion"));
-    QApplication::setPalette(dark());
-  }
   QApplication::setOrganizationName("elsie");  // as the program does
   QApplication::setApplicationName("elsie-desktop");
-  std::setlocale(LC_NUMERIC, "C");
+  elsie::desktop::choose_language(qEnvironmentVariable("ELSIE_TEST_LANGUAGE", "en"));
+  elsie::desktop::begin_language();
+  elsie::desktop::choose_theme(qEnvironmentVariable("ELSIE_TEST_THEME", "light"));
+  elsie::desktop::begin_theme();
   return Catch::Session().run(argc, argv);
 }

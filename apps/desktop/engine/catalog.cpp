@@ -5,7 +5,7 @@
 namespace elsie::desktop {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Catalog", text); }
+QString tr(const char* text) { return QCoreApplication::translate("elsie::desktop", text); }
 
 /// A value, or a list of values, as written in a file.
 QString words_of(const Json& value) {

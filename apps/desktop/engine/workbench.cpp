@@ -1,5 +1,6 @@
 #include "engine/workbench.h"
 
+#include <QCoreApplication>
 #include <QFileSystemWatcher>
 #include <algorithm>
 #include <csignal>
@@ -23,8 +24,11 @@ Problems listed(const Json& object, const char* list, bool are_warnings) {
   const Json& all = member(object, list);
   for (const Json& each : all) {
     if (problems.size() == kMostListed) {
-      problems.push_back(
-          {{}, 0, Workbench::tr("And %1 more.").arg(all.size() - kMostListed), are_warnings});
+      problems.push_back({{},
+                          0,
+                          QCoreApplication::translate("elsie::desktop::Workbench", "And %1 more.")
+                              .arg(all.size() - kMostListed),
+                          are_warnings});
       break;
     }
     problems.push_back(

@@ -14,7 +14,7 @@
 namespace elsie::desktop {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Figures", text); }
+QString tr(const char* text) { return QCoreApplication::translate("elsie::desktop", text); }
 
 /// Has the name and the description of the widget, and its figures as the value.
 class PaintedFigures : public QAccessibleWidget {

@@ -9,7 +9,9 @@
 namespace elsie::desktop {
 
 QString save_picture(const QImage& picture, const QString& file) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("SavePicture", text); };
+  const auto tr = [](const char* text) {
+    return QCoreApplication::translate("elsie::desktop", text);
+  };
   const QByteArray format = QFileInfo(file).suffix().toLower().toLatin1();
   if (!QImageWriter::supportedImageFormats().contains(format)) {
     return tr("'%1' is not a name of a picture: it must end with .png or .jpg.").arg(file);

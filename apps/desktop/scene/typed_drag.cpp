@@ -6,7 +6,9 @@
 namespace elsie::desktop {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("TypedDrag", text); }
+QString tr(const char* text) {
+  return QCoreApplication::translate("elsie::desktop::TypedDrag", text);
+}
 
 }  // namespace
 

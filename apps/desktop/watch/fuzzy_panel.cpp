@@ -1,6 +1,7 @@
 #include "watch/fuzzy_panel.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QLabel>
 #include <QPainter>
 #include <QScrollArea>
@@ -196,9 +197,10 @@ class FuzzyPanel::Page : public QWidget, public ShowsFigures {
       add(points_of(*cut)).filled = true;
     }
     if (centre) {
-      chart.title += tr("   centre of gravity %1")
-                         .arg(number_text(std::round(1000 * *centre) / 1000))
-                         .toStdString();
+      chart.title +=
+          QCoreApplication::translate("elsie::desktop::FuzzyPanel", "   centre of gravity %1")
+              .arg(number_text(std::round(1000 * *centre) / 1000))
+              .toStdString();
       picture::Series& mark = add({{*centre, 0.0}});
       mark.colour = 0;
       mark.joining = picture::Joining::nothing;
