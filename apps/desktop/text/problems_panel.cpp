@@ -1,20 +1,54 @@
 #include "text/problems_panel.h"
 
 #include <QFileInfo>
+#include <QFontDatabase>
 #include <QHeaderView>
+#include <QRegularExpression>
 #include <QShortcut>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "look/icons.h"
+
 namespace elsie::desktop {
+namespace {
+
+/// A place in a compiler's message.
+struct Located {
+  QString file;
+  int line = 0;
+  QString what;
+  bool is_error = false;
+};
+
+std::optional<Located> located_in(const QString& line) {
+  static const QRegularExpression pattern(
+      "^(.+?):(\\d+):(?:\\d+:)?\\s*((?:fatal )?error|warning|note): (.*)$");
+  const auto match = pattern.match(line);
+  if (!match.hasMatch()) {
+    return std::nullopt;
+  }
+  return Located{match.captured(1), match.captured(2).toInt(), match.captured(4),
+                 match.captured(3).endsWith("error")};
+}
+
+void set_place(QTreeWidgetItem& item, const QString& file, int line) {
+  item.setData(0, Qt::UserRole, file);
+  item.setData(1, Qt::UserRole, line);
+  item.setText(1, line > 0 ? QString::number(line) : QString());
+  item.setText(2, QFileInfo(file).fileName());
+  item.setToolTip(2, file);
+}
+
+}  // namespace
 
 ProblemsPanel::ProblemsPanel(QWidget* parent) : QWidget(parent), list_(new QTreeWidget(this)) {
   list_->setObjectName(QStringLiteral("problems"));
   list_->setAccessibleName(tr("Problems"));
   list_->setToolTip(tr("Enter or a double click goes to the line; F8 goes to the next problem"));
   list_->setHeaderLabels({tr("Problem"), tr("Line"), tr("File")});
-  list_->setRootIsDecorated(false);
-  list_->setAlternatingRowColors(true);
+  list_->setFrameShape(QFrame::NoFrame);
+  list_->setExpandsOnDoubleClick(false);
   list_->header()->setStretchLastSection(false);
   list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
@@ -36,22 +70,54 @@ ProblemsPanel::ProblemsPanel(QWidget* parent) : QWidget(parent), list_(new QTree
 
 void ProblemsPanel::set_problems(const std::vector<Problem>& problems) {
   list_->clear();
+  bool has_lines = false;
   for (const Problem& problem : problems) {
-    auto* item = new QTreeWidgetItem(
-        list_, {problem.is_warning ? tr("Warning: %1").arg(problem.message) : problem.message,
-                problem.line > 0 ? QString::number(problem.line) : QString(),
-                QFileInfo(problem.file).fileName()});
-    item->setData(0, Qt::UserRole, problem.file);
-    item->setData(1, Qt::UserRole, problem.line);
+    const QStringList lines = problem.message.split('\n', Qt::SkipEmptyParts);
+    const QString first = lines.value(0);
+    auto* item =
+        new QTreeWidgetItem(list_, {problem.is_warning ? tr("Warning: %1").arg(first) : first});
+    item->setIcon(0, icon(problem.is_warning ? "warning" : "error"));
     item->setToolTip(0, problem.message);
-    item->setToolTip(2, problem.file);
+    set_place(*item, problem.file, problem.line);
+    if (lines.size() > 1) {
+      add_lines(*item, lines.mid(1));
+      has_lines = true;
+    }
   }
+  list_->setRootIsDecorated(has_lines);
+}
+
+/// The lines of a compiler below its error, as it wrote them. The error itself stands where the
+/// first of them says.
+void ProblemsPanel::add_lines(QTreeWidgetItem& problem, const QStringList& lines) {
+  const QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+  bool has_error = false;
+  Located last;
+  for (const QString& line : lines) {
+    auto* item = new QTreeWidgetItem(&problem, {line});
+    item->setFont(0, fixed);
+    item->setToolTip(0, line);
+    const auto located = located_in(line);
+    if (located) last = *located;
+    if (last.line > 0) {  // the lines after it show the place
+      item->setData(0, Qt::UserRole, last.file);
+      item->setData(1, Qt::UserRole, last.line);
+    }
+    if (located && located->is_error && !has_error) {
+      has_error = true;
+      problem.setText(0, problem.text(0) + ' ' + located->what);
+      set_place(problem, located->file, located->line);
+    }
+  }
+  problem.setExpanded(true);
 }
 
 void ProblemsPanel::next() {
   if (const int count = list_->topLevelItemCount(); count > 0) {
-    const int now = list_->indexOfTopLevelItem(list_->currentItem());
-    list_->setCurrentItem(list_->topLevelItem((now + 1) % count));
+    const QTreeWidgetItem* now = list_->currentItem();
+    while (now && now->parent()) now = now->parent();
+    const int row = list_->indexOfTopLevelItem(const_cast<QTreeWidgetItem*>(now));
+    list_->setCurrentItem(list_->topLevelItem((row + 1) % count));
     go(list_->currentItem());
   }
 }

@@ -1,6 +1,7 @@
 // The list of problems of the open files.
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 #include <vector>
 
@@ -25,6 +26,7 @@ class ProblemsPanel : public QWidget {
   void go_to(const QString& file, int line);
 
  private:
+  void add_lines(QTreeWidgetItem& problem, const QStringList& lines);
   void go(const QTreeWidgetItem* item);
 
   QTreeWidget* list_;

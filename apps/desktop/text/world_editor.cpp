@@ -42,7 +42,7 @@ class Margin : public QWidget {
 
 }  // namespace
 
-WorldEditor::WorldEditor(QWidget* parent)
+WorldEditor::WorldEditor(QWidget* parent, bool is_xml)
     : QPlainTextEdit(parent),
       highlighter_(new XmlHighlighter(document())),
       margin_(new Margin(this)),
@@ -57,7 +57,7 @@ WorldEditor::WorldEditor(QWidget* parent)
   setLineWrapMode(QPlainTextEdit::NoWrap);
   setTabStopDistance(2 * fontMetrics().horizontalAdvance(u' '));
   setUndoRedoEnabled(false);
-  highlighter_->use_palette(palette());
+  is_xml ? highlighter_->use_palette(palette()) : highlighter_->setDocument(nullptr);
   completer_->setWidget(this);
   completer_->setCaseSensitivity(Qt::CaseInsensitive);
   completer_->popup()->setObjectName(QStringLiteral("completions"));

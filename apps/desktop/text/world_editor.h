@@ -23,7 +23,8 @@ class WorldEditor : public QPlainTextEdit {
   Q_OBJECT
 
  public:
-  explicit WorldEditor(QWidget* parent = nullptr);
+  /// Without `is_xml`, for texts of other languages, in one colour.
+  explicit WorldEditor(QWidget* parent = nullptr, bool is_xml = true);
 
   /// Changes only what differs, so that cursor and scroll position stay, without edited(). While
   /// typed text waits for its edited(), the text stays as typed, and edited() sends it.
