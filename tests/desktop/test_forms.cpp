@@ -12,6 +12,7 @@
 #include "window.h"
 #include "world/form.h"
 #include "world/properties.h"
+#include "world/words.h"
 
 using namespace elsie::desktop;
 
@@ -125,12 +126,12 @@ TEST_CASE("Every field says what it means; every number, its unit if it has one"
         if (!field.unit.isEmpty()) {
           ++units;
           CHECK(editor->toolTip().contains('(' + field.unit.toHtmlEscaped() + ')'));
-          CHECK(editor->accessibleName() == field.name + ", " + field.unit);
+          CHECK(editor->accessibleName() == in_words(field.name, field.unit) + ", " + field.unit);
           QStringList shown;
           for (QLabel* label : editor->parentWidget()->findChildren<QLabel*>()) {
             shown << label->text();
           }
-          CHECK(shown.contains(field.unit));
+          CHECK(shown.contains(unit_in_words(field.unit)));
         }
       }
     }
@@ -199,5 +200,5 @@ TEST_CASE("The weight that a coordinator gives a behaviour now is shown beside i
   auto* live = window.get<Properties>("properties")->form().findChild<QLabel*>("priority_live");
   REQUIRE(live);
   CHECK(wait_for([&] { return live->text().contains(" s: weight "); }));
-  CHECK(wait_for([&] { return tree->item(behavior)->text(1).startsWith("weight "); }));
+  CHECK(wait_for([&] { return tree->note_of(behavior).startsWith("weight "); }));
 }

@@ -17,8 +17,10 @@
 #include <cmath>
 #include <limits>
 
+#include "look/icons.h"
 #include "paint/boxes.h"
 #include "paint/warning_label.h"
+#include "world/words.h"
 
 namespace elsie::desktop {
 namespace {
@@ -195,7 +197,8 @@ QWidget* Form::make_editor(const Field& field) {
     editor = edit;
   }
   editor->setObjectName(name);
-  editor->setAccessibleName(field.unit.isEmpty() ? name : name + ", " + field.unit);
+  const QString words = in_words(name, field.unit);
+  editor->setAccessibleName(field.unit.isEmpty() ? words : words + ", " + field.unit);
   editor->setAccessibleDescription(field.meaning);
   editor->setToolTip(tip_of(field));
   return editor;
@@ -248,7 +251,7 @@ Form::Row Form::make_row(const Field& field) {
   row.editor->setMinimumWidth(kFewest_letters * fontMetrics().averageCharWidth());
   line->addWidget(row.editor, 1);
   if (!field.unit.isEmpty()) {
-    line->addWidget(new QLabel(field.unit));
+    line->addWidget(new QLabel(unit_in_words(field.unit)));
   }
   if (field.type == "file") {
     add_browse(line, name);
@@ -262,10 +265,10 @@ Form::Row Form::make_row(const Field& field) {
   row.live->setWordWrap(true);
   row.live->hide();
   row.reset = new QToolButton;
-  row.reset->setText("\u21ba");
+  row.reset->setIcon(icon("reset"));
   row.reset->setAutoRaise(true);
   row.reset->setObjectName(name + "_reset");
-  row.reset->setAccessibleName(tr("Default of %1").arg(name));
+  row.reset->setAccessibleName(tr("Default of %1").arg(in_words(name, field.unit)));
   row.reset->setToolTip(field.default_text.isEmpty()
                             ? tr("Remove the value")
                             : tr("Back to the default, %1").arg(field.default_text));
@@ -283,7 +286,7 @@ Form::Row Form::make_row(const Field& field) {
   row.problem->setObjectName(name + "_problem");
   column->addWidget(row.problem);
 
-  row.label = new QLabel(name + (field.is_required ? " *" : ""));
+  row.label = new QLabel(in_words(name, field.unit) + (field.is_required ? " *" : ""));
   row.label->setBuddy(row.editor);
   row.label->setToolTip(tip_of(field));
   layout_->addRow(row.label, row.whole);
@@ -401,6 +404,7 @@ void Form::clear_live() {
 void Form::filter(const QString& text) {
   for (Row& row : rows_) {
     const bool fits = row.field.name.contains(text, Qt::CaseInsensitive) ||
+                      row.label->text().contains(text, Qt::CaseInsensitive) ||
                       row.field.meaning.contains(text, Qt::CaseInsensitive);
     layout_->setRowVisible(row.whole, fits);
   }

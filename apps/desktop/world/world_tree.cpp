@@ -2,11 +2,13 @@
 
 #include <QContextMenuEvent>
 #include <QGridLayout>
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QPainter>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollBar>
+#include <QStyledItemDelegate>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -14,24 +16,87 @@
 #include <utility>
 
 #include "engine/workbench.h"
+#include "look/icons.h"
+#include "look/theme.h"
 #include "paint/padlock.h"
+#include "world/words.h"
 
 namespace elsie::desktop {
 namespace {
 
 constexpr int kPathRole = Qt::UserRole;
 constexpr int kIsList = Qt::UserRole + 1;
-constexpr int kListName = Qt::UserRole + 2;
+constexpr int kName = Qt::UserRole + 2;  // in world files
+constexpr int kKind = Qt::UserRole + 3;  // grey, after the title
+constexpr int kNote = Qt::UserRole + 4;  // at the right end
 
+/// Draws a row as icon, title, its kind in grey, and a note at the right end.
+class RowDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    return {QStyledItemDelegate::sizeHint(option, index).width(),
+            option.fontMetrics.height() * 3 / 2};
+  }
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override {
+    QStyleOptionViewItem row = option;
+    initStyleOption(&row, index);
+    const QString kind = index.data(kKind).toString();
+    const QString note = index.data(kNote).toString();
+    row.text = index.data(kTitle).toString();
+    const QStyle* style = row.widget->style();
+    QRect room = style->subElementRect(QStyle::SE_ItemViewItemText, &row, row.widget);
+    const QFontMetrics metrics(row.font);
+    const int gap = metrics.averageCharWidth();
+    room.setRight(option.rect.right() - gap);
+    const int title = metrics.horizontalAdvance(row.text);
+    const int note_width = note.isEmpty() ? 0 : metrics.horizontalAdvance(note) + gap;
+    row.text = metrics.elidedText(row.text, Qt::ElideRight, room.width() - note_width);
+    style->drawControl(QStyle::CE_ItemViewItem, &row, painter, row.widget);
+    const bool is_chosen = row.state & QStyle::State_Selected;
+    painter->save();
+    painter->setPen(is_chosen ? row.palette.color(QPalette::HighlightedText) : quiet(row.palette));
+    painter->drawText(room, Qt::AlignRight | Qt::AlignVCenter, note);
+    room.adjust(title + 2 * gap, 0, -note_width, 0);
+    if (room.width() > 4 * gap) {
+      painter->drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
+                        metrics.elidedText(kind, Qt::ElideRight, room.width()));
+    }
+    painter->restore();
+  }
+
+  static constexpr int kTitle = Qt::UserRole + 5;
+};
+
+constexpr int kMostGiven = 12;
+
+/// What is written in the element, a line for each.
 QString detail_of(const Json& element) {
   QStringList parts;
   for (const auto& [name, value] : attributes_of(element).items()) {
     const bool is_title = name == "id" || (name == "name" && written(value) == title_of(element));
-    if (!is_title && parts.size() < 4) {
+    if (!is_title && parts.size() < kMostGiven) {
       parts << QString::fromStdString(name) + '=' + written(value);
     }
   }
-  return parts.join("  ");
+  return parts.join('\n');
+}
+
+/// The drawing of the element, or of the kind of element that its list has.
+QIcon icon_of(const ElementPlace& place) {
+  const QString name = name_of(*place.element);
+  if (QIcon own = icon(name); !own.isNull()) return own;
+  if (place.path.isEmpty()) return icon("world");
+  if (!place.list.isEmpty()) return {};
+  static const QRegularExpression kind_in_path("(?:^|/)([a-z_]+)(?:\\[[^/]*)?$");
+  const QString kind = kind_in_path.match(place.path).captured(1);
+  static const QHash<QString, QString> others{
+      {"obstacle", "box"}, {"arena", "world"}, {"floor", "patch"}};
+  const QIcon of_kind = icon(others.value(kind, kind));
+  return of_kind.isNull() ? icon("part") : of_kind;
 }
 
 /// The title of an element: "avoid (avoid_obstacle)" if it differs from the name.
@@ -41,7 +106,7 @@ QString label_of(const Json& element) {
 }
 
 /// The name of the list in a row: "sensors".
-QString list_of_row(const QTreeWidgetItem& row) { return row.data(0, kListName).toString(); }
+QString list_of_row(const QTreeWidgetItem& row) { return row.data(0, kName).toString(); }
 
 QString team_of(const Json& robot) {
   const QString team = attribute(robot, "team");
@@ -79,16 +144,14 @@ WorldTree::WorldTree(Workbench& workbench, QString team, QWidget* parent)
   tree_ = new QTreeWidget;
   tree_->setObjectName("tree");
   tree_->setAccessibleName(team_.isEmpty() ? tr("World") : tr("Team %1").arg(team_));
-  tree_->setHeaderLabels({tr("Element"), tr("Given")});
+  tree_->setHeaderHidden(true);
+  tree_->setItemDelegate(new RowDelegate(tree_));
   tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   tree_->viewport()->installEventFilter(this);
   setFocusProxy(tree_);
   tree_->setUniformRowHeights(true);
   tree_->setIndentation(fontMetrics().averageCharWidth() * 3 / 2);
-  // What is given has the room that is left, and ends in dots.
-  tree_->header()->setStretchLastSection(false);
-  tree_->header()->setMinimumSectionSize(3 * fontMetrics().averageCharWidth());
-  tree_->header()->setSectionResizeMode(1, QHeaderView::Stretch);
+  tree_->setFrameShape(QFrame::NoFrame);
   column->addWidget(tree_, 1);
   if (!team_.isEmpty()) {
     make_team_buttons();
@@ -193,6 +256,11 @@ QStringList WorldTree::selection() const {
 
 QTreeWidgetItem* WorldTree::item(const QString& path) const { return items_.value(path); }
 
+QString WorldTree::note_of(const QString& path) const {
+  const QTreeWidgetItem* found = item(path);
+  return found ? found->data(0, kNote).toString() : QString();
+}
+
 // The places that the tree shows, in its order, with their parents.
 std::vector<WorldTree::Shown> WorldTree::places() const {
   std::vector<Shown> all;
@@ -262,7 +330,6 @@ void WorldTree::build(const std::vector<Shown>& shown) {
     keys_.push_back(key);
     item->setData(0, kPathRole, place.path);
     item->setData(0, kIsList, !place.list.isEmpty());
-    item->setData(0, kListName, place.list.isEmpty() ? QString() : name_of(*place.element));
     if (place.list.isEmpty()) {
       items_.insert(place.path, item);
     }
@@ -273,7 +340,6 @@ void WorldTree::build(const std::vector<Shown>& shown) {
     }
     item->setSelected(place.list.isEmpty() && chosen_.contains(place.path));
   }
-  tree_->setColumnWidth(0, std::max(tree_->columnWidth(0), 150));
   tree_->doItemsLayout();
   tree_->verticalScrollBar()->setValue(top);
   tree_->setUpdatesEnabled(true);
@@ -281,15 +347,20 @@ void WorldTree::build(const std::vector<Shown>& shown) {
 
 void WorldTree::show_item(QTreeWidgetItem& item, const ElementPlace& place) {
   const bool is_inherited = member(*place.element, "inherited") == true;
+  const QString name = name_of(*place.element), title = title_of(*place.element);
+  const bool is_list = !place.list.isEmpty();
   item.setText(0, label_of(*place.element));
-  item.setText(1, detail_of(*place.element));
-  item.setToolTip(1, detail_of(*place.element));
+  item.setData(0, kName, name);
+  item.setData(0, RowDelegate::kTitle, is_list || title == name ? in_words(name) : title);
+  item.setData(0, kKind, is_list || title == name ? QString() : in_words(name));
+  item.setData(0, kNote, {});
   QFont font = tree_->font();
   font.setItalic(is_inherited);
   item.setFont(0, font);
   const bool is_locked = place.list.isEmpty() && locked_.contains(place.path);
-  item.setIcon(0, is_locked ? padlock_icon(palette().color(QPalette::Text)) : QIcon());
-  QStringList tips;
+  item.setIcon(0, is_locked ? padlock_icon(palette().color(QPalette::Text)) : icon_of(place));
+  QStringList tips{"<" + name + ">"};
+  if (const QString given = detail_of(*place.element); !given.isEmpty()) tips << given;
   if (is_locked) tips << tr("Locked against the mouse (Ctrl+L).");
   if (is_inherited) {
     tips << tr(
@@ -327,7 +398,8 @@ void WorldTree::set_selection(const QStringList& paths) {
 void WorldTree::filter(const QString& text) {
   const std::function<bool(QTreeWidgetItem*)> show = [&](QTreeWidgetItem* item) {
     bool fits = text.isEmpty() || item->text(0).contains(text, Qt::CaseInsensitive) ||
-                item->text(1).contains(text, Qt::CaseInsensitive);
+                item->toolTip(0).contains(text, Qt::CaseInsensitive) ||
+                item->data(0, RowDelegate::kTitle).toString().contains(text, Qt::CaseInsensitive);
     for (int i = 0; i < item->childCount(); ++i) {
       fits = show(item->child(i)) || fits;
     }
@@ -343,13 +415,13 @@ void WorldTree::show_weights(const Json& state) {
   QSet<QString> without = with_weight_;
   visit_weights(state, [&](const QString& path, double weight) {
     if (QTreeWidgetItem* found = item(path)) {
-      found->setText(1, tr("weight %1").arg(weight, 0, 'g', 3));
+      found->setData(0, kNote, tr("weight %1").arg(weight, 0, 'g', 3));
       with_weight_.insert(path);
       without.remove(path);
     }
   });
   for (const QString& path : std::as_const(without)) {
-    items_[path]->setText(1, items_[path]->toolTip(1));
+    items_[path]->setData(0, kNote, {});
     with_weight_.remove(path);
   }
 }

@@ -30,6 +30,8 @@ class WorldTree : public QWidget {
   QStringList selection() const;
   QTreeWidget* tree() { return tree_; }
   QTreeWidgetItem* item(const QString& path) const;
+  /// What stands at the right end of the row; "" if nothing does.
+  QString note_of(const QString& path) const;
 
   /// Marks these objects as locked against the mouse.
   void show_locked(const QSet<QString>& paths);
