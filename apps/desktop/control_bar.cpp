@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "engine/workbench.h"
+#include "look/icons.h"
 #include "paint/boxes.h"
 
 namespace elsie::desktop {
@@ -39,26 +40,33 @@ ControlBar::ControlBar(Workbench& workbench, QWidget* parent)
   setObjectName("control_bar");
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(4, 0, 4, 0);
+  row->setSpacing(2);
   const auto button = [&](const char* name, const QString& text, const QString& tip) {
     auto* made = new QToolButton;
     made->setObjectName(name);
     made->setText(text);
+    made->setIcon(icon(name));
+    made->setIconSize({style()->pixelMetric(QStyle::PM_ToolBarIconSize),
+                       style()->pixelMetric(QStyle::PM_ToolBarIconSize)});
+    made->setAutoRaise(true);
     made->setToolTip(tip);
     made->setAccessibleName(tip);
     row->addWidget(made);
     return made;
   };
-  run_ = button("run", tr("\u25b6 Start"),
+  run_ = button("run", tr("Start"),
                 tr("Start or continue the run; after its end, start it again (F5)"));
-  const QString wider = tr("\u2759\u2759 Pause");  // so that the buttons next to it do not move
+  run_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  const QString wider = tr("Pause");  // so that the buttons next to it do not move
   const QString start = run_->text();
   run_->setText(wider);
   const int width = run_->sizeHint().width();
   run_->setText(start);
   run_->setMinimumWidth(std::max(width, run_->sizeHint().width()));
-  step_ = button("step", tr("\u2758\u25b6 Step"), tr("Run one control period (F10)"));
-  reset_ = button("reset", tr("\u21ba Reset"),
-                  tr("Back to the start, with the world as it is now (Ctrl+R)"));
+  step_ = button("step", tr("Step"), tr("Run one control period (F10)"));
+  reset_ =
+      button("reset", tr("Reset"), tr("Back to the start, with the world as it is now (Ctrl+R)"));
+  row->addSpacing(fontMetrics().averageCharWidth());
   connect(run_, &QToolButton::clicked, this, &ControlBar::run_wished);
   connect(step_, &QToolButton::clicked, &workbench_, &Workbench::step);
   connect(reset_, &QToolButton::clicked, this, [this] { workbench_.reset(workbench_.seed()); });
@@ -79,6 +87,7 @@ ControlBar::ControlBar(Workbench& workbench, QWidget* parent)
           [this](int index) { workbench_.set_speed(speed_->itemData(index).toDouble()); });
   row->addWidget(speed_);
 
+  row->addSpacing(fontMetrics().averageCharWidth());
   auto* seed_label = new QLabel(tr("See&d"));
   row->addWidget(seed_label);
   seed_ = new QLineEdit("1");
@@ -110,7 +119,8 @@ ControlBar::ControlBar(Workbench& workbench, QWidget* parent)
 void ControlBar::show_state() {
   const Workbench::Run run = workbench_.run_state();
   const bool is_running = run == Workbench::Run::running || past_ == Past::plays;
-  run_->setText(is_running ? tr("\u2759\u2759 Pause") : tr("\u25b6 Start"));
+  run_->setText(is_running ? tr("Pause") : tr("Start"));
+  run_->setIcon(icon(is_running ? "pause" : "run"));
   run_->setEnabled(is_running || past_ != Past::none || run != Workbench::Run::none);
   step_->setEnabled(run == Workbench::Run::ready || run == Workbench::Run::paused);
   reset_->setEnabled(run != Workbench::Run::none);

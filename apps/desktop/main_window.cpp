@@ -98,12 +98,16 @@ MainWindow::MainWindow(const QString& elsie, const QStringList& options, QWidget
   if (!restoreGeometry(settings.value("geometry").toByteArray())) {
     resize(first);
   }
-  restoreState(settings.value("layout").toByteArray());
+  if (restoreState(settings.value("layout").toByteArray())) {
+    in_front_ = settings.value("in_front").toStringList();
+  }
+  put_away_empty();
   plots_->set_choice(settings.value("plots").toStringList());
   actions_.status_bar->setChecked(settings.value("status_bar", true).toBool());
   show_recent();
   show_state();
   show_title();
+  show_page(true);
 }
 
 QSize MainWindow::first_size(const QSize& room, const QSize& frame) {
@@ -113,15 +117,15 @@ QSize MainWindow::first_size(const QSize& room, const QSize& frame) {
 
 // Deletes the views before the objects that they show.
 MainWindow::~MainWindow() {
-  const QList<QDockWidget*> docks = findChildren<QDockWidget*>();
-  for (QDockWidget* each : docks) {
+  const QList<QDockWidget*> all = docks();
+  for (QDockWidget* each : all) {
     each->disconnect(this);
   }
   time_line_->disconnect(this);
   workbench_.disconnect(this);
   qDeleteAll(findChildren<QDialog*>(Qt::FindDirectChildrenOnly));
   qDeleteAll(findChildren<QToolBar*>(Qt::FindDirectChildrenOnly));
-  qDeleteAll(docks);
+  qDeleteAll(all);
   delete takeCentralWidget();
 }
 

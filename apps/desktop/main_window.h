@@ -1,7 +1,8 @@
 // The window with its docks and files. main_window.cpp shows the state of the run,
 // main_window_actions.cpp has commands, menus and bars, main_window_docks.cpp the docks,
 // main_window_files.cpp files and unsaved work, main_window_runs.cpp recorded runs,
-// main_window_connections.cpp the signals that the window receives.
+// main_window_connections.cpp the signals that the window receives, main_window_looks.cpp the bars,
+// the theme, the language and the palette of commands.
 #pragma once
 
 #include <QHash>
@@ -13,6 +14,7 @@
 class QAction;
 class QActionGroup;
 class QLabel;
+class QMessageBox;
 class QToolBar;
 class QStackedWidget;
 class QToolButton;
@@ -29,6 +31,7 @@ class Past;
 class PlotsPanel;
 class ProblemsPanel;
 class RunReader;
+struct Offer;
 struct Recorded;
 struct RecordedWorld;
 struct StoredRun;
@@ -75,10 +78,11 @@ class MainWindow : public QMainWindow {
   void changeEvent(QEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   /// A command of the window, at the end of a menu; null: in none. It is enabled with its group.
-  /// Users' keys are stored under its `name`, the object name.
+  /// Users' keys are stored under its `name`, the object name, which is also that of its icon.
   QAction* command(QMenu* menu, QActionGroup* group, const char* name, const QString& text,
                    const QKeySequence& key, std::function<void()> does, const QString& tip = {});
   QAction* local(QAction* action, Qt::ShortcutContext context);
@@ -86,20 +90,38 @@ class MainWindow : public QMainWindow {
   void fill_file_menu(QMenu* menu);
   void fill_edit_menu(QMenu* menu);
   void fill_add_menu(QMenu* menu);
-  void fill_view_menu(QMenu* menu, const QToolBar& tools, const QToolBar& environment);
+  void fill_view_menu(QMenu* menu);
+  void fill_looks_menus(QMenu* menu);
   void fill_simulation_menu(QMenu* menu);
   void fill_help_menu(QMenu* menu);
-  void fill_tool_bars(QToolBar& tools, QToolBar& environment);
+  void fill_tool_bars();
+  /// Shows words next to the icons where there is room for them.
+  void fit_tool_bars();
   void make_status_bar();
   void go_to_next_dock();
   void ask_for_command();
+  std::vector<Offer> typed_commands(const QString& typed);
   void show_keys();
 
   QDockWidget* dock(const char* name, const QString& title, QWidget* widget,
                     Qt::DockWidgetArea area);
   void bring_back(QDockWidget* dock);
-  void keep_layout() const;
+  void keep_layout();
+  void reset_layout();
   QDockWidget* new_dock(const char* name, const QString& title, QWidget* widget);
+  /// All docks, also those of teams.
+  QList<QDockWidget*> docks() const;
+  QList<WorldTree*> trees() const;
+  /// Hides a dock that has nothing to show until it has something.
+  void put_away(QDockWidget* dock);
+  void put_away_empty();
+  void bring_out(QDockWidget* dock);
+  /// Brings out the docks for which this state has something.
+  void bring_out_filled(const Json& state);
+  /// What the engine is asked for to learn whether a dock has something to show.
+  void ask_for_fillings(Json& what) const;
+  /// The start page has the window to itself; the docks come back with the world.
+  void show_page(bool is_start);
   void connect_tree(WorldTree* tree, const QString& team);
   QDockWidget* make_team(const QString& team);
   void make_docks();
@@ -170,6 +192,8 @@ class MainWindow : public QMainWindow {
   StartPage* start_;
   TimeLine* time_line_;
   ControlBar* control_bar_;
+  QToolBar* tools_;
+  QToolBar* environment_;
   WorldTree* world_tree_;
   struct Team {
     WorldTree* tree = nullptr;
@@ -182,6 +206,14 @@ class MainWindow : public QMainWindow {
     QDockWidget *world, *properties, *coordination, *plots, *text, *problems, *vision, *fuzzy,
         *sensors, *graph;
   };
+  QSet<QDockWidget*> away_;           // not closed by the user, but empty
+  QSet<QDockWidget*> filled_;         // have had something to show in this world
+  QList<QDockWidget*> behind_start_;  // hidden while the start page has the window
+  QStringList in_front_;              // the names of the docks in front
+  QDockWidget* first_ = nullptr;      // comes to the front when it comes by itself
+  bool is_start_shown_ = false;
+  bool is_start_wished_ = false;  // although there is a world
+  int worded_px_ = 0;             // the width of the environment bar with words
   Docks docks_{};
   Properties* properties_;
   WorldEditor* editor_;
@@ -200,7 +232,7 @@ class MainWindow : public QMainWindow {
         *add_nest, *add_lamp, *add_patch;
     QList<QAction*> obstacles;
     QAction *measure, *status_bar;
-    QAction* run;
+    QAction *run, *step, *reset;
   };
   Actions actions_{};
   QList<QAction*> commands_;  // all
@@ -208,6 +240,7 @@ class MainWindow : public QMainWindow {
   QActionGroup* with_text_;   // those that need the text of one, right or not
   QToolButton* boxes_;
   QMenu* recent_;
+  QPointer<QMessageBox> engine_lost_, changed_on_disk_;
   QLabel* time_label_;
   QLabel* pace_label_;
   QLabel* seed_label_;

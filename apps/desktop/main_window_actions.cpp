@@ -1,12 +1,9 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
-#include <QComboBox>
-#include <QCompleter>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QInputDialog>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -18,6 +15,7 @@
 #include "authoring/authoring.h"
 #include "control_bar.h"
 #include "export/exporter.h"
+#include "look/icons.h"
 #include "main_window.h"
 #include "scene/scene_view.h"
 #include "shortcuts.h"
@@ -39,6 +37,7 @@ QAction* MainWindow::command(QMenu* menu, QActionGroup* group, const char* name,
                              std::function<void()> does, const QString& tip) {
   auto* made = new QAction(text, this);
   made->setObjectName(name);
+  made->setIcon(icon(made->objectName().remove("add_")));
   made->setShortcut(key);
   if (!tip.isEmpty()) {
     made->setToolTip(tip);
@@ -65,18 +64,18 @@ void MainWindow::make_menus() {
     *group = new QActionGroup(this);
     (*group)->setExclusionPolicy(QActionGroup::ExclusionPolicy::None);
   }
-  QToolBar* tools = addToolBar(tr("Tools"));
-  tools->setObjectName("tools");
-  QToolBar* environment = addToolBar(tr("Environment"));
-  environment->setObjectName("environment");
+  tools_ = addToolBar(tr("Tools"));
+  tools_->setObjectName("tools");
+  environment_ = addToolBar(tr("Environment"));
+  environment_->setObjectName("environment");
   fill_file_menu(menuBar()->addMenu(tr("&File")));
   fill_edit_menu(menuBar()->addMenu(tr("&Edit")));
-  fill_view_menu(menuBar()->addMenu(tr("&View")), *tools, *environment);
+  fill_view_menu(menuBar()->addMenu(tr("&View")));
   fill_simulation_menu(menuBar()->addMenu(tr("&Simulation")));
   fill_help_menu(menuBar()->addMenu(tr("&Help")));
   command(nullptr, with_text_, "next_problem", tr("Next error"), key("F8"),
           [this] { problems_->next(); });
-  fill_tool_bars(*tools, *environment);
+  fill_tool_bars();
   load_shortcuts(commands_);
 }
 
@@ -91,7 +90,7 @@ void MainWindow::fill_file_menu(QMenu* menu) {
                                      tr("Worlds and runs (*.xml *.mcap *.sqlite);;All files (*)"));
     if (!file.isEmpty()) open(file);
   });
-  recent_ = menu->addMenu(tr("Recent&ly opened"));
+  recent_ = menu->addMenu(icon("recent"), tr("Recent&ly opened"));
   command(menu, with_text_, "start_page", tr("Start &page"), {}, [this] { show_start(); });
   menu->addSeparator();
   actions_.save =
@@ -99,8 +98,9 @@ void MainWindow::fill_file_menu(QMenu* menu) {
   command(menu, with_text_, "save_as", tr("Save &as..."), key("Ctrl+Shift+S"),
           [this] { save(true); });
   menu->addSeparator();
-  command(menu, with_world_, "export_picture", tr("Export p&icture..."), {},
-          [this] { exporter_->export_picture(); });
+  command(menu, with_world_, "export_picture", tr("Export p&icture..."), {}, [this] {
+    exporter_->export_picture();
+  })->setIcon(icon("picture"));
   command(
       menu, with_world_, "export_film", tr("Export &film..."), {},
       [this] { exporter_->export_film(); }, tr("Writes the run, from its start to now, as a film"));
@@ -172,6 +172,7 @@ void MainWindow::fill_add_menu(QMenu* menu) {
       "behaviors", tr("&Behaviours..."),
       [this] { authoring_->edit_behaviors(authoring_->robot()); },
       tr("Choose the behaviours of the selected robot"));
+  actions_.behaviors->setIcon(icon("behavior"));
   actions_.coordinator = add(
       "coordinator", tr("C&oordinator..."),
       [this] { authoring_->add_element(authoring_->robot(), "coordinator"); },
@@ -199,7 +200,7 @@ void MainWindow::fill_add_menu(QMenu* menu) {
   member("add_field", tr("&Field..."), "fields");
 }
 
-void MainWindow::fill_view_menu(QMenu* menu, const QToolBar& tools, const QToolBar& environment) {
+void MainWindow::fill_view_menu(QMenu* menu) {
   // These keys act only in the view: elsewhere users type them, and Home goes to the first row.
   const auto in_view = [&](const char* name, const QString& text, const char* keys,
                            std::function<void()> does) {
@@ -230,6 +231,7 @@ void MainWindow::fill_view_menu(QMenu* menu, const QToolBar& tools, const QToolB
                                                                 : SceneView::Tool::measure);
   });
   actions_.measure->setIconText(tr("Tape"));
+  actions_.measure->setIcon(icon("tape"));
   menu->addSeparator();
   const auto overlay = [&](const char* name, const QString& text,
                            bool SceneView::Overlays::*which) {
@@ -257,22 +259,22 @@ void MainWindow::fill_view_menu(QMenu* menu, const QToolBar& tools, const QToolB
     toggle->setText(text);
     menu->addAction(toggle);
   };
-  bar("show_control_bar", tr("Contro&l bar"), tools.toggleViewAction());
-  bar("show_environment_bar", tr("Env&ironment bar"), environment.toggleViewAction());
+  bar("show_control_bar", tr("Contro&l bar"), tools_->toggleViewAction());
+  bar("show_environment_bar", tr("Env&ironment bar"), environment_->toggleViewAction());
   bar("show_status_bar", tr("Stat&us bar"), actions_.status_bar);
   menu->addSeparator();
-  QMenu* windows = menu->addMenu(tr("Win&dows"));
+  fill_looks_menus(menu);
+  QMenu* windows = menu->addMenu(icon("window"), tr("Win&dows"));
   connect(windows, &QMenu::aboutToShow, this, [this, windows] {
     windows->clear();
-    for (QDockWidget* each : findChildren<QDockWidget*>()) {
+    for (QDockWidget* each : docks()) {
       windows->addAction(each->toggleViewAction());
     }
   });
   command(menu, nullptr, "layout_author", tr("Layout: aut&hor"), {}, [this] { arrange("author"); });
   command(menu, nullptr, "layout_watch", tr("Layout: &watch"), {}, [this] { arrange("watch"); });
   command(menu, nullptr, "layout_train", tr("Layout: t&rain"), {}, [this] { arrange("train"); });
-  command(menu, nullptr, "layout_reset", tr("Reset the la&yout"), {},
-          [this] { restoreState(default_state_); });
+  command(menu, nullptr, "layout_reset", tr("Reset the la&yout"), {}, [this] { reset_layout(); });
   command(menu, nullptr, "next_dock", tr("Next window"), key("F6"), [this] { go_to_next_dock(); });
 }
 
@@ -282,8 +284,9 @@ void MainWindow::fill_simulation_menu(QMenu* menu) {
     return command(menu, with_world_, name, text, key, std::move(does), tip);
   };
   actions_.run = add("run", tr("&Run or pause"), key("F5"), [this] { run_or_pause(); });
-  add("step", tr("&Step"), key("F10"), [this] { workbench_.step(); });
-  add("reset", tr("R&eset"), key("Ctrl+R"), [this] { workbench_.reset(workbench_.seed()); });
+  actions_.step = add("step", tr("&Step"), key("F10"), [this] { workbench_.step(); });
+  actions_.reset =
+      add("reset", tr("R&eset"), key("Ctrl+R"), [this] { workbench_.reset(workbench_.seed()); });
   menu->addSeparator();
   QMenu* events = menu->addMenu(tr("&Go to an event"));
   events->setObjectName("events_menu");
@@ -306,35 +309,14 @@ void MainWindow::fill_simulation_menu(QMenu* menu) {
 }
 
 void MainWindow::fill_help_menu(QMenu* menu) {
-  command(menu, nullptr, "commands", tr("&Commands..."), key("Ctrl+Shift+P"),
-          [this] { ask_for_command(); });
+  command(menu, nullptr, "commands", tr("&Commands..."), key("Ctrl+Shift+P"), [this] {
+    ask_for_command();
+  })->setIcon(icon("command"));
   command(menu, nullptr, "keys", tr("&Keys"), key("F1"), [this] { show_keys(); });
   command(
       menu, nullptr, "shortcuts", tr("C&hange keys..."), {},
       [this] { (new ShortcutsDialog(commands_, this))->show(); }, tr("The keys of all commands"));
   command(menu, nullptr, "about", tr("&About"), {}, [this] { about(); });
-}
-
-void MainWindow::fill_tool_bars(QToolBar& tools, QToolBar& environment) {
-  tools.addActions({actions_.new_world, actions_.open, actions_.save});
-  tools.addSeparator();
-  tools.addActions({actions_.undo, actions_.redo});
-  tools.addSeparator();
-  control_bar_ = new ControlBar(workbench_);
-  connect(control_bar_, &ControlBar::run_wished, this, &MainWindow::run_or_pause);
-  connect(control_bar_, &ControlBar::seed_wished, this, &MainWindow::begin_anew);
-  tools.addWidget(control_bar_);
-
-  environment.addActions(
-      {actions_.add_robot, actions_.add_sensor, actions_.behaviors, actions_.coordinator});
-  boxes_ = new QToolButton;
-  boxes_->setObjectName("boxes");
-  boxes_->setText(tr("Box"));
-  boxes_->setToolTip(tr("Add a static, dynamic or moving box, or another obstacle"));
-  boxes_->setPopupMode(QToolButton::InstantPopup);
-  boxes_->addActions(actions_.obstacles);
-  environment.addWidget(boxes_);
-  environment.addActions({actions_.add_resource, actions_.add_charger, actions_.measure});
 }
 
 void MainWindow::make_status_bar() {
@@ -353,7 +335,7 @@ void MainWindow::make_status_bar() {
 
 void MainWindow::go_to_next_dock() {
   QList<QDockWidget*> shown;
-  for (QDockWidget* each : findChildren<QDockWidget*>()) {
+  for (QDockWidget* each : docks()) {
     if (each->isVisible()) shown << each;
   }
   if (shown.isEmpty()) {
@@ -370,37 +352,6 @@ void MainWindow::go_to_next_dock() {
   QDockWidget* next = now == shown.end() || now + 1 == shown.end() ? shown.front() : *(now + 1);
   next->raise();
   if (next->widget()) next->widget()->setFocus();
-}
-
-void MainWindow::ask_for_command() {
-  QStringList names;
-  QHash<QString, QAction*> by_name;
-  for (QAction* each : std::as_const(commands_)) {
-    QString name = title_of(*each);
-    if (!each->shortcut().isEmpty()) {
-      name += "   " + each->shortcut().toString(QKeySequence::NativeText);
-    }
-    names << name;
-    by_name[name] = each;
-  }
-  names.sort(Qt::CaseInsensitive);
-  QInputDialog dialog(this);
-  dialog.setObjectName("commands_dialog");
-  dialog.setWindowTitle(tr("Commands"));
-  dialog.setLabelText(tr("A part of the command's name"));
-  dialog.setComboBoxItems(names);
-  dialog.setComboBoxEditable(true);
-  auto* choice = dialog.findChild<QComboBox*>();
-  choice->completer()->setCompletionMode(QCompleter::PopupCompletion);
-  choice->completer()->setFilterMode(Qt::MatchContains);
-  choice->clearEditText();
-  if (dialog.exec() == QDialog::Accepted && !dialog.textValue().isEmpty()) {
-    const QString wished = dialog.textValue();
-    const QStringList fitting = names.filter(wished, Qt::CaseInsensitive);
-    const QString name = names.contains(wished) || fitting.size() != 1 ? wished : fitting.front();
-    by_name.contains(name) ? by_name[name]->trigger()
-                           : say(tr("There is no command '%1'.").arg(wished));
-  }
 }
 
 void MainWindow::show_keys() {

@@ -20,6 +20,7 @@
 #include "scene/scene_view.h"
 #include "start_page.h"
 #include "text/problems_panel.h"
+#include "text/source_window.h"
 #include "text/world_editor.h"
 #include "watch/coordination_panel.h"
 #include "watch/fuzzy_panel.h"
@@ -47,6 +48,7 @@ void MainWindow::connect_workbench() {
     if (statusBar()->currentMessage() == std::exchange(opening_, QString())) {
       statusBar()->clearMessage();
     }
+    if (workbench_.tree().is_object() && !is_start_wished_) show_page(false);
     scene_->set_scene(workbench_.scene(), workbench_.epoch());
     scene_->set_notice(notice());
     show_pose();
@@ -78,6 +80,7 @@ void MainWindow::connect_workbench() {
     if (seen_.contains(docks_.sensors)) sensors_->add(state);
     if (seen_.contains(docks_.graph)) graph_->add(state);
     if (seen_.contains(docks_.coordination) || seen_.contains(docks_.graph)) request_past();
+    bring_out_filled(state);
     if (!time_line_->is_in_the_past()) show_values(state);
     scene_->take_state(state);
   });
@@ -160,7 +163,7 @@ void MainWindow::connect_workbench() {
 
 void MainWindow::connect_views() {
   connect(scene_, &SceneView::locks_changed, this, [this] {
-    for (WorldTree* each : findChildren<WorldTree*>()) each->show_locked(scene_->locked());
+    for (WorldTree* each : trees()) each->show_locked(scene_->locked());
     show_lock();
   });
   connect(authoring_, &Authoring::called_otherwise, properties_, &Properties::rename);
@@ -265,7 +268,8 @@ QString MainWindow::notice() const {
 
 void MainWindow::go_to(const QString& file, int line) {
   if (!is_of_world(file)) {
-    say(tr("The problem is in another file: %1, line %2").arg(file).arg(line));
+    const QString why = SourceWindow::show(file, line, this);
+    if (!why.isEmpty()) say(why);
     return;
   }
   docks_.text->show();
@@ -276,9 +280,9 @@ void MainWindow::go_to(const QString& file, int line) {
 /// There is only one box, however often the engine ends.
 void MainWindow::say_that_the_engine_ended(const QString& report, bool was_stopped,
                                            const QStringList& not_made) {
-  auto* box = findChild<QMessageBox*>("engine_lost");
+  QMessageBox* box = engine_lost_;
   if (!box) {
-    box = new QMessageBox(this);
+    box = engine_lost_ = new QMessageBox(this);
     box->setObjectName("engine_lost");
     box->setStandardButtons(QMessageBox::Ok);
     box->setAttribute(Qt::WA_DeleteOnClose);
@@ -318,16 +322,18 @@ void MainWindow::watch() {
       !authoring_->selection().isEmpty() && authoring_->selection().front().contains("/behavior[");
   if (shows(docks_.coordination) || is_behavior) what.push_back("decisions");
   if (shows(docks_.sensors)) what.push_back("sensors");
-  if (shows(docks_.graph)) what.push_back("graphs");
+  if (shows(docks_.graph) && filled_.contains(docks_.graph)) what.push_back("graphs");
   if (shows(docks_.plots) || !plots_->choice().isEmpty()) what.push_back("measures");
-  if (shows(docks_.vision)) what.push_back("cameras");
+  if (shows(docks_.vision) && filled_.contains(docks_.vision)) what.push_back("cameras");
   const QStringList plotted = plots_->choice();
   const auto is_fuzzy = [](const QString& name) {
     return name.contains("/inputs/") || name.contains("/outputs/");
   };
-  if (shows(docks_.fuzzy) || std::any_of(plotted.begin(), plotted.end(), is_fuzzy)) {
+  if (filled_.contains(docks_.fuzzy) &&
+      (shows(docks_.fuzzy) || std::any_of(plotted.begin(), plotted.end(), is_fuzzy))) {
     what.push_back("fuzzy");
   }
+  ask_for_fillings(what);
   if (scene_->stage().has_fields()) what.push_back("fields");
   if (scene_->stage().has_actuators()) what.push_back("lights");
   Json robots = Json::array();  // none: all

@@ -3,9 +3,13 @@
 #include <QDockWidget>
 #include <QScreen>
 #include <QSettings>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QStyle>
+#include <QToolBar>
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "authoring/authoring.h"
 #include "engine/past.h"
@@ -58,6 +62,12 @@ QDockWidget* MainWindow::new_dock(const char* name, const QString& title, QWidge
   made->setWidget(widget);
   connect(made->toggleViewAction(), &QAction::triggered, made, [made](bool is_shown) {
     if (is_shown) made->raise();
+  });
+  connect(made, &QDockWidget::visibilityChanged, this, [this, made](bool is_seen) {
+    if (!is_start_shown_) {
+      in_front_.removeAll(made->objectName());
+      if (is_seen) in_front_ << made->objectName();
+    }
   });
   return made;
 }
@@ -112,11 +122,104 @@ void MainWindow::make_docks() {
           });
 }
 
+QList<QDockWidget*> MainWindow::docks() const {
+  QList<QDockWidget*> all{docks_.world,   docks_.properties, docks_.coordination, docks_.plots,
+                          docks_.text,    docks_.problems,   docks_.vision,       docks_.fuzzy,
+                          docks_.sensors, docks_.graph};
+  for (const QString& team : teams_shown_) all << teams_[team].dock;
+  return all;
+}
+
+QList<WorldTree*> MainWindow::trees() const {
+  QList<WorldTree*> all{world_tree_};
+  for (const QString& team : teams_shown_) all << teams_[team].tree;
+  return all;
+}
+
+// Docks that have nothing to show. The engine is asked for pictures, fuzzy models and graphs until
+// it has sent some; where a world has none, asking costs nothing.
+
+namespace {
+
+/// What a robot of a state has for a dock.
+constexpr const char* kPictures = "cameras";
+constexpr const char* kModels = "fuzzy";
+constexpr const char* kGraphs = "graphs";
+
+}  // namespace
+
+void MainWindow::put_away_empty() {
+  for (QDockWidget* each : {docks_.vision, docks_.fuzzy, docks_.graph}) {
+    if (!each->isHidden() || behind_start_.contains(each)) put_away(each);
+  }
+}
+
+void MainWindow::put_away(QDockWidget* dock) {
+  if (!filled_.contains(dock)) {
+    behind_start_.removeAll(dock);
+    dock->hide();
+    away_.insert(dock);
+  }
+}
+
+void MainWindow::bring_out(QDockWidget* dock) {
+  filled_.insert(dock);
+  if (away_.remove(dock)) {
+    is_start_shown_ ? void(behind_start_ << dock) : dock->show();
+    if (dock == first_) dock->raise();
+  }
+}
+
+void MainWindow::bring_out_filled(const Json& state) {
+  const std::array<std::pair<const char*, QDockWidget*>, 3> fillings{
+      {{kPictures, docks_.vision}, {kModels, docks_.fuzzy}, {kGraphs, docks_.graph}}};
+  bool has_news = false;
+  for (const Json& robot : member(state, "robots")) {
+    for (const auto& [what, dock] : fillings) {
+      if (!filled_.contains(dock) && !member(robot, what).empty()) {
+        bring_out(dock);
+        has_news = true;
+      }
+    }
+  }
+  if (has_news) watch();
+}
+
+void MainWindow::ask_for_fillings(Json& what) const {
+  if (!filled_.contains(docks_.vision)) what.push_back(kPictures);
+  if (!filled_.contains(docks_.fuzzy)) what.push_back(kModels);
+  if (!filled_.contains(docks_.graph)) what.push_back(kGraphs);
+}
+
+void MainWindow::show_page(bool is_start) {
+  centre_->setCurrentIndex(is_start ? 0 : 1);
+  if (is_start == is_start_shown_) {
+    return;
+  }
+  if (is_start) {
+    is_start_shown_ = true;
+    for (QDockWidget* each : docks()) {
+      if (!each->isHidden()) behind_start_ << each;
+      each->hide();
+    }
+    return;
+  }
+  for (QDockWidget* each : std::exchange(behind_start_, {})) each->show();
+  const QStringList in_front = in_front_;
+  for (QDockWidget* each : docks()) {
+    if (in_front.contains(each->objectName())) each->raise();
+  }
+  is_start_shown_ = false;
+}
+
 void MainWindow::arrange(const QString& layout) {
-  for (QDockWidget* each : findChildren<QDockWidget*>()) {
+  const bool is_start = is_start_shown_ && !workbench_.tree().is_object();
+  show_page(false);
+  for (QDockWidget* each : docks()) {
     each->setFloating(false);
     each->hide();
   }
+  away_.clear();
   const auto put = [this](Qt::DockWidgetArea area, const QList<QDockWidget*>& docks) {
     for (QDockWidget* each : docks) {
       addDockWidget(area, each);
@@ -143,6 +246,12 @@ void MainWindow::arrange(const QString& layout) {
     tabifyDockWidget(docks_.properties, each);
     each->hide();
   }
+  for (QDockWidget* each : {docks_.vision, docks_.fuzzy, docks_.graph}) {
+    put_away(each);
+    if (filled_.contains(each) && !is_watch) each->show();
+  }
+  first_ = is_watch ? docks_.vision : nullptr;
+  if (!is_watch) docks_.properties->raise();
   QList<QDockWidget*> columns{docks_.world};
   QList<int> widths{220};
   if (layout == "author" && width() >= kWide) {
@@ -155,6 +264,20 @@ void MainWindow::arrange(const QString& layout) {
   widths << (is_watch ? std::max(420, width() / 4) : 280);
   resizeDocks(columns, widths, Qt::Horizontal);
   resizeDocks({docks_.coordination}, {170}, Qt::Vertical);
+  show_page(is_start);
+}
+
+void MainWindow::reset_layout() {
+  const bool is_start = is_start_shown_;
+  show_page(false);
+  restoreState(default_state_);
+  away_.clear();
+  for (QDockWidget* each : {docks_.vision, docks_.fuzzy, docks_.graph}) {
+    put_away(each);
+    if (filled_.contains(each)) each->show();
+  }
+  docks_.properties->raise();
+  show_page(is_start);
 }
 
 void MainWindow::connect_tree(WorldTree* tree, const QString& team) {
@@ -195,6 +318,7 @@ void MainWindow::show_teams() {
     if (!teams.contains(team) && !kUsualTeams.contains(team)) {
       teams_shown_.removeAll(team);
       QDockWidget* gone = teams_.take(team).dock;
+      behind_start_.removeAll(gone);
       removeDockWidget(gone);
       gone->deleteLater();
     }
@@ -236,7 +360,7 @@ void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   if (!was_shown_) {
     was_shown_ = true;
-    for (QDockWidget* each : findChildren<QDockWidget*>()) {
+    for (QDockWidget* each : docks()) {
       bring_back(each);
     }
   }
@@ -252,15 +376,18 @@ void MainWindow::changeEvent(QEvent* event) {
   }
 }
 
-void MainWindow::keep_layout() const {
+void MainWindow::keep_layout() {
+  show_page(false);
   for (const QString& team : idle_teams_) {
     teams_[team].dock->show();  // it is not the user who closed it
   }
+  for (QDockWidget* each : std::as_const(away_)) each->show();  // likewise
   QSettings settings;
   settings.setValue("plots", plots_->choice());
   settings.setValue("status_bar", !statusBar()->isHidden());
   settings.setValue("geometry", saveGeometry());
   settings.setValue("layout", saveState());
+  settings.setValue("in_front", in_front_);
 }
 
 }  // namespace elsie::desktop

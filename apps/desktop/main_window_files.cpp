@@ -92,7 +92,7 @@ bool MainWindow::open(const QString& file) {
 void MainWindow::show_opened(const QString& file) {
   note_recent(file);
   forget_world();
-  centre_->setCurrentIndex(1);
+  show_page(false);
   scene_->setFocus();
   show_title();
   show_state();
@@ -114,6 +114,8 @@ void MainWindow::forget_world() {
   fuzzy_->clear();
   graph_->clear();
   sensors_->clear();
+  filled_.clear();
+  put_away_empty();
   recorded_.reset();
 }
 
@@ -125,7 +127,7 @@ void MainWindow::begin_world(const std::function<QString()>& text) {
   if (!begun.isEmpty()) {
     workbench_.open_text(begun, {});  // this loses nothing
     forget_world();
-    centre_->setCurrentIndex(1);
+    show_page(false);
     show_title();
   }
 }
@@ -216,10 +218,10 @@ bool MainWindow::save(bool elsewhere) {
 // The box does not block the event loop: a run continues, and a file that changes again leads to
 // one question.
 void MainWindow::ask_about_disk() {
-  if (findChild<QMessageBox*>("changed_on_disk")) {
+  if (changed_on_disk_) {
     return;
   }
-  auto* box = new QMessageBox(
+  QMessageBox* box = changed_on_disk_ = new QMessageBox(
       QMessageBox::Question, tr("The file has changed"),
       workbench_.is_modified()
           ? tr("Another program has changed '%1'. Read it again? Undo leads back to your unsaved "
@@ -277,7 +279,7 @@ void MainWindow::offer_recovered() {
         Recovery::discard(each);
       }
       forget_world();
-      centre_->setCurrentIndex(1);
+      show_page(false);
       show_title();
       return;
     }
@@ -316,7 +318,8 @@ void MainWindow::show_recent() {
 }
 
 void MainWindow::show_start() {
-  centre_->setCurrentIndex(centre_->currentIndex() == 0 && workbench_.tree().is_object() ? 1 : 0);
+  is_start_wished_ = !is_start_shown_;
+  show_page(is_start_wished_ || !workbench_.tree().is_object());
 }
 
 }  // namespace elsie::desktop

@@ -12,7 +12,7 @@ class StartPage : public QWidget {
   Q_OBJECT
 
  public:
-  static constexpr int kPicture_px = 240;
+  static constexpr int kPicture_px = 480;
 
   /// `worlds` is the folder of the shipped worlds, "" if it was not found. `elsie` is the program
   /// that draws them, in the background and while the page is visible. The pictures are kept; a
@@ -30,6 +30,7 @@ class StartPage : public QWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void draw_next();

@@ -48,7 +48,7 @@ constexpr const char* kTwoStates = R"(<world format="1">
 
 GraphPanel* graph_in_front(Window& window) {
   window->arrange("watch");
-  window.get<QDockWidget>("dock_graph")->raise();
+  show_dock(window.window(), "dock_graph");
   return window.get<GraphPanel>("graph");
 }
 

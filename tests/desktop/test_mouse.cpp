@@ -287,14 +287,14 @@ TEST_CASE("F1 shows the keys, the commands dialog does what is typed, and About 
   CHECK(about->contains(qVersion()));
 
   at_dialog("commands_dialog", [](QDialog* dialog) {
-    auto* choice = dialog->findChild<QComboBox*>();
-    QTest::keyClicks(choice->lineEdit(), "From the top");
-    QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok),
-                      Qt::LeftButton);
+    QTest::keyClicks(dialog->findChild<QLineEdit*>("wish"), "From the top");
+    auto* list = dialog->findChild<QListWidget*>("fitting");
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                      list->visualItemRect(list->item(0)).center());
   });
   window->activateWindow();
   press_key(&window.window(), Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
-  CHECK(window->scene().camera().pitch < -1.5);
+  CHECK(wait_for([&] { return window->scene().camera().pitch < -1.5; }));
 }
 
 TEST_CASE("F8 goes to the next error") {

@@ -93,7 +93,7 @@ TEST_CASE("Pictures: a world being built, and watched", "[.pictures]") {
   window.choose(window->scene().stage().bodies().front().path);
   keep(window.window(), "author");
   window->arrange("watch");
-  window.get<QDockWidget>("dock_fuzzy")->raise();
+  show_dock(window.window(), "dock_fuzzy");
   window.bench().run();
   auto* fuzzy = window->findChild<FuzzyPanel*>();
   wait_for([&] { return !fuzzy->now().degrees.empty(); });

@@ -8,6 +8,8 @@
 #include <catch2/catch.hpp>
 
 #include "hands.h"
+#include "look/language.h"
+#include "messages.h"
 #include "paint/axes.h"
 #include "paint/warning_label.h"
 #include "world/form.h"
@@ -46,6 +48,21 @@ QStringList cut_off(const QWidget& whole) {
     if (!text.isEmpty() && each->width() + 1 < needed) {
       texts << text;
     }
+  }
+  return texts;
+}
+
+/// The texts that a user reads in a window.
+QStringList texts_in(const QWidget& window) {
+  QStringList texts{window.windowTitle()};
+  for (const QWidget* each : window.findChildren<QWidget*>()) {
+    texts << each->windowTitle() << each->toolTip() << each->accessibleName();
+    if (const auto* label = qobject_cast<const QLabel*>(each)) texts << label->text();
+    if (const auto* button = qobject_cast<const QAbstractButton*>(each)) texts << button->text();
+    if (const auto* edit = qobject_cast<const QLineEdit*>(each)) texts << edit->placeholderText();
+  }
+  for (const QAction* each : window.findChildren<QAction*>()) {
+    texts << each->text() << each->toolTip() << each->iconText();
   }
   return texts;
 }
@@ -94,6 +111,39 @@ TEST_CASE("Readable: words, warnings and curves stand out from what is behind th
   auto* problem = form.findChild<WarningLabel*>("x_problem");
   REQUIRE(problem->isVisible());
   CHECK(contrast(problem->palette().color(problem->foregroundRole()), behind) >= 4.5);
+}
+
+TEST_CASE("Readable: a window in German has no English text", "[readable]") {
+  if (language() != "de") {
+    return;
+  }
+  QHash<QString, QString> german;
+  for (const Message& each :
+       messages_of(ELSIE_SOURCE_DIR "/apps/desktop/translations/elsie_de.ts")) {
+    german[each.source] = each.translations.front();
+  }
+  const auto english_in = [&](const QWidget& window) {
+    QStringList found;
+    for (const QString& text : texts_in(window)) {
+      if (german.contains(text) && german[text] != text) found << text;
+    }
+    return found.join(" | ").toStdString();
+  };
+  Room window;
+  click_row(window.get<WorldTree>("world_tree"), "robot[r1]");
+  CHECK(english_in(window.window()).empty());
+  for (const char* action :
+       {"add_robot", "add_sensor", "coordinator", "behaviors", "physics", "shortcuts"}) {
+    INFO(action);
+    window.act(action);
+    QDialog* dialog = window.any_dialog();
+    CHECK(english_in(*dialog).empty());
+    const auto* buttons = dialog->findChild<QDialogButtonBox*>("buttons");
+    REQUIRE(buttons);
+    CHECK(buttons->button(QDialogButtonBox::Cancel)->text().remove('&') == "Abbrechen");
+    dialog->reject();
+    REQUIRE(wait_for([&] { return window->findChildren<QDialog*>().isEmpty(); }));
+  }
 }
 
 TEST_CASE("Readable: numbers have a point in every language", "[readable]") {

@@ -224,8 +224,7 @@ TEST_CASE("Readable: nothing of the fuzzy window is cut off at the side", "[read
   window->resize(1280, 720);
   window.open(world_file("clutter"));
   window.act("layout_watch");
-  auto* dock = window.get<QDockWidget>("dock_fuzzy");
-  dock->raise();
+  auto* dock = show_dock(window.window(), "dock_fuzzy");
   auto* fuzzy = window->findChild<FuzzyPanel*>();
   window.bench().run();
   REQUIRE(wait_for([&] { return !fuzzy->now().degrees.empty(); }));

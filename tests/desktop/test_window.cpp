@@ -249,6 +249,12 @@ TEST_CASE("Without a world, only what needs none can be done") {
                                 "show_names",
                                 "show_grid",
                                 "show_status_bar",
+                                "theme_system",
+                                "theme_light",
+                                "theme_dark",
+                                "language_system",
+                                "language_en",
+                                "language_de",
                                 "stop_engine"};  // a library may never finish loading
   QSet<QString> enabled;
   int count = 0;

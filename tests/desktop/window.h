@@ -7,6 +7,7 @@
 #include <QCompleter>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QDockWidget>
 #include <QFile>
 #include <QFileSystemModel>
 #include <QItemSelectionModel>
@@ -100,6 +101,15 @@ inline constexpr const char* kRoom = R"(<world format="1">
   <limits time="60"/>
 </world>
 )";
+
+/// Shows a dock in front of its neighbours, also if it has nothing to show yet.
+inline QDockWidget* show_dock(QWidget& window, const char* name) {
+  auto* dock = window.findChild<QDockWidget*>(name);
+  REQUIRE(dock);
+  dock->show();
+  dock->raise();
+  return dock;
+}
 
 /// A window, and a folder for files. All windows of a test program have the settings of main.cpp.
 class Window {
