@@ -32,7 +32,7 @@ addEventListener("load", async () => {
         const pose = page.pose(robot.id), half = 0.42 * robot.size[0];
         const rear = [robot.middle[0] - half, robot.middle[1]];
         const place = [pose.x + Math.cos(pose.h) * rear[0], pose.y + Math.sin(pose.h) * rear[0], robot.deck];
-        return { id: robot.id, pose, place, colour: robot.colour, seen: page.space && null, shown: found.space ? page.pixel(place) : null };
+        return { id: robot.id, pose, place, colour: robot.colour, shown: found.space ? page.pixel(place) : null };
       });
       return { time, robots };
     });
@@ -98,6 +98,9 @@ addEventListener("load", async () => {
     const chart = document.getElementById("chart"), bytes = chart.getContext("2d").getImageData(0, 0, chart.width, chart.height).data;
     found.inked = bytes.some((byte, i) => i % 4 === 3 && byte > 200);
     found.decides = document.getElementById("who").textContent;
+    found.title = document.querySelector("h1").textContent;
+    found.why = document.getElementById("why").textContent;
+    found.first_listed = document.querySelector("#events .what")?.textContent.replace("r1 · ", "");
     found.listed = document.querySelectorAll("#events li").length;
   } catch (error) {
     found.errors.push(String(error.stack ?? error));

@@ -53,7 +53,7 @@ double apart(const json& a, const json& b) {
 }  // namespace
 
 TEST_CASE("Robots are drawn where the recording has them, in the colours of their teams") {
-  RecordedFile run(two_robots("r1", "r2"), shipped());
+  RecordedFile run(two_robots(), shipped());
   Browser browser = browser_of(page::run_page(run.path, shipped()).html);
   const json found = browser.look(1280);
   check_page(found);
@@ -79,7 +79,7 @@ TEST_CASE("Robots are drawn where the recording has them, in the colours of thei
 }
 
 TEST_CASE("A link leads to an instant and a robot; keys, slider and fingers do what they should") {
-  RecordedFile run(two_robots("r1", "r2"), shipped());
+  RecordedFile run(two_robots(), shipped());
   Browser browser = browser_of(page::run_page(run.path, shipped()).html);
   const json found = browser.look(390, "--force-dark-mode", "#t=12.5&robot=r2");
   check_page(found);
@@ -101,7 +101,7 @@ TEST_CASE("A link leads to an instant and a robot; keys, slider and fingers do w
 }
 
 TEST_CASE("Without WebGL the picture from above and the time line are left") {
-  RecordedFile run(two_robots("r1", "r2"), shipped());
+  RecordedFile run(two_robots(), shipped());
   Browser browser =
       browser_of(page::run_page(run.path, shipped()).html, "--disable-gpu --disable-3d-apis");
   const json found = browser.look(1280);
@@ -113,15 +113,17 @@ TEST_CASE("Without WebGL the picture from above and the time line are left") {
   CHECK(found["linked"] == json({{"time", 1.5}, {"robot", "r1"}}));
 }
 
-TEST_CASE("Names that look like markup stay names") {
-  world::World world = two_robots(kHostileText, "r2");
-  world.name = kHostileText;
-  RecordedFile run(std::move(world), shipped());
-  Browser browser = browser_of(page::run_page(run.path, shipped()).html);
+TEST_CASE("Texts that look like markup stay texts") {
+  RecordedFile run(two_robots(), shipped());
+  McapFile hostile;
+  write_hostile(run.path, hostile.path);
+  Browser browser = browser_of(page::run_page(hostile.path, shipped()).html);
   const json found = browser.look(390);
   check_page(found);
   CHECK(found["scripts"] == 3);  // the data, the viewer, and the one that looks
-  CHECK(found["robots"][0] == kHostileText);
+  CHECK(found["title"] == kHostileText);
+  CHECK(found["why"] == kHostileText);
+  CHECK(found["first_listed"] == kHostileText + kHostileText);
   CHECK(browser.log().find("CONSOLE") == std::string::npos);
 }
 

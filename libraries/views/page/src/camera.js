@@ -44,7 +44,8 @@ class Camera {
     this.around = -Math.PI / 2;
     this.over = over;
     this.distance = Math.max(length, width);
-    const corners = [-0.5, 0.5].flatMap((x) => [-0.5, 0.5].flatMap((y) => [0, height].map((z) => [x * length, y * width, z])));
+    const wall = 0.1;  // m, beside the arena
+    const corners = [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [0, height].map((z) => [x * (length / 2 + wall), y * (width / 2 + wall), z])));
     // A step nearer or farther, and up or down, until the corners fill the picture.
     for (let i = 0; i < 60; ++i) {
       const view = this.matrix(aspect);

@@ -6,7 +6,6 @@
 
 #include "elsie/files/base64.h"
 #include "elsie/files/clean_text.h"
-#include "elsie/page/run_page.h"
 #include "elsie/picture/top_view.h"
 
 namespace elsie::page {
@@ -60,7 +59,7 @@ bool is_finite(const Pose& pose) {
 }  // namespace
 
 bool SampledLayer::thin() {
-  if (last_ / every_ <= kFewestSamples) return false;
+  if (last_ / every_ <= fewest_) return false;
   every_ *= 2;
   thin_keys(every_, last_);
   return true;

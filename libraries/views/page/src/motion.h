@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "elsie/api/image.h"
+#include "elsie/page/run_page.h"
 #include "elsie/recording/recorded_run.h"
 #include "elsie/world/description.h"
 
@@ -36,6 +37,8 @@ class Bodies {
 /// A part with keys at samples, of which each `every`th is left.
 class SampledLayer : public Layer {
  public:
+  /// `fewest`: as many samples stay.
+  explicit SampledLayer(Sample fewest) : fewest_(fewest) {}
   bool thin() override;
   /// Leaves each `every`th key also of what was added since it last did so.
   void settle() {
@@ -51,10 +54,17 @@ class SampledLayer : public Layer {
   Sample last_ = 0;
   Sample every_ = 1;
   std::size_t size_ = 0;
+
+ private:
+  Sample fewest_;
 };
+
+/// What is more than where things are may become very coarse.
+inline constexpr Sample kFewestOthers = 8;
 
 class Poses final : public SampledLayer {
  public:
+  Poses() : SampledLayer(kFewestSamples) {}
   void add(Sample sample, const recording::RecordedRun& run, const world::World& world,
            Bodies& bodies);
   std::string text() const override;
@@ -78,6 +88,7 @@ class Poses final : public SampledLayer {
 /// What robots shine.
 class Lights final : public SampledLayer {
  public:
+  Lights() : SampledLayer(kFewestOthers) {}
   void add(Sample sample, const recording::RecordedRun& run, Bodies& bodies);
   std::string text() const override;
 
@@ -95,6 +106,7 @@ class Lights final : public SampledLayer {
 /// What plugins draw, in the frames of their robots, mm.
 class Sketches final : public SampledLayer {
  public:
+  Sketches() : SampledLayer(kFewestOthers) {}
   void add(Sample sample, const recording::RecordedRun& run, Bodies& bodies);
   std::string text() const override;
 
@@ -113,6 +125,7 @@ class Sketches final : public SampledLayer {
 /// Fields of the floor, as opacities.
 class Fields final : public SampledLayer {
  public:
+  Fields() : SampledLayer(kFewestOthers) {}
   void add(Sample sample, const recording::RecordedRun& run, const world::World& world);
   std::string text() const override;
 

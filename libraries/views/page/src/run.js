@@ -31,6 +31,7 @@ class Run {
       set: new Set(body.set),
       gone: new Set(body.gone),
     }));
+    this.picture = data.picture;
     this.scenes = data.scenes;
     this.lights = data.lights.map((each) => ({...each, s: sums(each.s)}));
     this.sketches = data.sketches.map((each) => ({...each, s: sums(each.s)}));
@@ -52,12 +53,11 @@ class Run {
     }));
     this.events = data.events.map(([time, robot, name, detail, bad]) => ({time: time * fine, robot, name, detail, bad}));
     // Every robot that is there at some time, as it is first described.
-    this.robots = [];
-    for (const scene of this.scenes) {
-      for (const robot of scene.robots) {
-        if (!this.robots.some((known) => known.body === robot.body)) this.robots.push(robot);
-      }
+    const known = new Map();
+    for (const robot of this.scenes.flatMap((scene) => scene.robots)) {
+      if (!known.has(robot.body)) known.set(robot.body, robot);
     }
+    this.robots = [...known.values()];
   }
 
   // The number of the sample at a time, with the part of the way to the next one.

@@ -195,6 +195,13 @@ std::string subtitle(const RecordedRun& run) {
   return ending(run) + "  (seed " + std::to_string(run.seed) + ")";
 }
 
+/// The picture from above, at the end, for browsers without WebGL and for print.
+std::string picture_text(const RecordedRun& run, const plugin::Host& drives) {
+  constexpr picture::Size kSize{900, 0};
+  const std::string svg = recording::picture_svg(run, drives, {subtitle(run)}, kSize);
+  return "\"picture\":" + nlohmann::json(svg).dump();
+}
+
 /// Makes the largest layer that can become smaller do so. False: none can.
 bool thin_largest(const std::vector<Layer*>& layers, std::vector<std::string>& texts) {
   std::vector<std::size_t> order;
@@ -250,12 +257,11 @@ RunPage run_page(const std::filesystem::path& recording, const plugin::Host& dri
   std::vector<Layer*> layers{&decisions, &numbers};
   for (SampledLayer* const layer : film.sampled()) layers.push_back(layer);
 
-  const std::string svg = recording::picture_svg(run, drives, {subtitle(run)}, {900, 0});
-  const std::string picture = "data:image/svg+xml;base64," + files::base64(svg);
   const std::string fixed = "\"end\":" + std::to_string(fine(std::max(run.end_s, trace.end_s))) +
-                            "," + events_text(run) + "," + film.text();
+                            "," + events_text(run) + "," + film.text() + "," +
+                            picture_text(run, drives);
   const std::size_t rest = std::string_view(kPage).size() + std::string_view(kStyle).size() +
-                           std::string_view(kScript).size() + picture.size() + 8192;
+                           std::string_view(kScript).size() + 8192;
   const std::string data =
       packed_data(fixed, layers, options.most_bytes - std::min(rest, options.most_bytes));
 
@@ -270,7 +276,6 @@ RunPage run_page(const std::filesystem::path& recording, const plugin::Host& dri
                              {"summary", escaped(subtitle(run))},
                              {"outcome", escaped(run.result ? run.result->outcome : "none")},
                              {"facts", facts(run, page.poses_every_s)},
-                             {"picture", picture},
                              {"data", data}});
   return page;
 }

@@ -107,12 +107,10 @@ class View {
     each(scene.boxes, boxes, (size) => size);
     each(scene.cylinders, cylinders, ([radius, length]) => [radius, length, radius]);
     each(scene.balls, balls, (radius) => [radius, radius, radius]);
-    for (const {body, frame, size, colour} of scene.prisms) {
-      const [height, outline] = size, key = JSON.stringify(outline);
-      if (!this.prisms.has(key)) this.prisms.set(key, this.painter.upload(new Mesh().prism(outline, 0, 1)));
-      const pose = body < 0 ? null : this.run.pose(body, this.sample), numbers = [];
-      if (body < 0 || pose) place_solid(numbers, pose, frame, [1, 1, height], colour);
-      groups.push({mesh: this.prisms.get(key), numbers: new Float32Array(numbers)});
+    for (const piece of scene.prisms) {
+      const numbers = [];
+      each([piece], numbers, ([height]) => [1, 1, height]);
+      groups.push({mesh: this.prism(piece.size[1]), numbers: new Float32Array(numbers)});
     }
     for (const {body, size, middle, deck, colour} of scene.robots) {
       const pose = this.run.pose(body, this.sample);
@@ -129,6 +127,11 @@ class View {
     }
     const group = (mesh, numbers) => ({mesh, numbers: new Float32Array(numbers)});
     return [...groups, group(this.box, boxes), group(this.cylinder, cylinders), group(this.ball, balls), group(this.arrow, arrows)];
+  }
+
+  prism(outline) {
+    if (!this.prisms.has(outline)) this.prisms.set(outline, this.painter.upload(new Mesh().prism(outline, 0, 1)));
+    return this.prisms.get(outline);
   }
 
   // What lies on the floor: image, patches, marks, fields.

@@ -6,6 +6,7 @@ const state = {time: 0, playing: false, speed: 1, robot: run.robots[0] ?? null};
 const options = {trails: true, sketches: true, names: true};
 const kMostChips = 6, kMostListed = 400;
 
+find("from-above").src = `data:image/svg+xml,${encodeURIComponent(run.picture)}`;
 let view = null;
 try {
   view = new View(run, find("world"), find("notes"));

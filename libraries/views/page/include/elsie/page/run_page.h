@@ -23,7 +23,7 @@ struct PageOptions {
   std::size_t most_bytes = 3'000'000;
 };
 
-/// At least so many samples of a run are kept.
+/// At least so many samples of the poses are kept.
 inline constexpr std::size_t kFewestSamples = 64;
 
 struct RunPage {
