@@ -56,6 +56,7 @@ Examples:
   elsie run worlds/clutter.xml --record clutter.mcap && elsie explain clutter.mcap
   elsie run worlds/clutter.xml --set 'robot[r1]/behavior[wander]/@speed=15' --json
   elsie run worlds/ten_robots.xml --threads 2
+  elsie run worlds/ten_robots.xml --live
   elsie run my_world.xml --plugin my_behavior.cpp --watch --speed 1
   elsie run worlds/clutter.xml --at '5:robot[r1]/@max_speed=0.2' --at '10:robot[r1]/@max_speed=0.4'
 
@@ -113,6 +114,16 @@ std::unique_ptr<simulation::CameraRenderer> cameras(const world::World& world) {
   return command_module().make_cameras(world);
 }
 
+simulation::Options simulation_options(const RunOptions& options) {
+  return {.seed = options.seed,
+          .measure_time = options.views.record.times,
+          .data_directories = data_directories(),
+          .budget = budget_of(options),
+          .threads = options.threads,
+          .time_limit_s = options.duration,
+          .cameras = cameras};
+}
+
 /// The simulation of a valid world, with changes that can be made. `found` gets the files that the
 /// world names.
 simulation::Simulation simulation_of(const RunOptions& options, const plugin::Host& host,
@@ -122,14 +133,7 @@ simulation::Simulation simulation_of(const RunOptions& options, const plugin::Ho
   reading.found = &found;
   reading.time_limit_s = options.duration;
   world::World world = world::read_world(options.world, host, reading);
-  simulation::Simulation simulation(std::move(world), host,
-                                    {.seed = options.seed,
-                                     .measure_time = options.views.record.times,
-                                     .data_directories = data_directories(),
-                                     .budget = budget_of(options),
-                                     .threads = options.threads,
-                                     .time_limit_s = options.duration,
-                                     .cameras = cameras});
+  simulation::Simulation simulation(std::move(world), host, simulation_options(options));
   try {
     simulation.check(changes);
   } catch (const simulation::EditRefused& refused) {
@@ -138,13 +142,28 @@ simulation::Simulation simulation_of(const RunOptions& options, const plugin::Ho
   return simulation;
 }
 
+/// How to make the run once more. The host must outlive it.
+RunAgain again_of(const RunOptions& options, const simulation::Simulation& simulation,
+                  const plugin::Host& host, std::vector<simulation::TimedEdit> edits) {
+  world::World world = simulation.start();
+  world.limits.wall_time.reset();  // it is the first run that the clock ends
+  return {[&options, &host, world = std::move(world)] {
+            return std::make_unique<simulation::Simulation>(world, host,
+                                                            simulation_options(options));
+          },
+          std::move(edits)};
+}
+
 int run(const RunOptions& options) {
   if (options.threads > 1 && (options.time_budget_ms > 0.0 || options.memory_budget_mb > 0.0)) {
     throw BadInput(
         "--threads " + std::to_string(options.threads) +
         ": a budget of a plugin is measured in one thread; leave out --threads or the budget");
   }
-  auto views = options.views.any() ? command_module().make_views(options.views) : nullptr;
+  ViewOptions asked = options.views;
+  asked.live_speed = options.speed.value_or(asked.live_speed);
+  asked.quiet = options.quiet;
+  auto views = asked.any() ? command_module().make_views(asked) : nullptr;
   const auto changes = edits_of(options);
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
@@ -159,11 +178,13 @@ int run(const RunOptions& options) {
     renew = [&](auto& running) { replace_what_changed(*watch, running, options.quiet); };
   }
   if (views) {
-    views->open(simulation, read_files(options.world, found, options.plugins));
+    views->open(
+        simulation, read_files(options.world, found, options.plugins),
+        options.views.live && !watch ? again_of(options, simulation, host, changes) : RunAgain());
   }
   std::optional<Pacer> pacer;
   std::vector<simulation::Observer*> others;
-  if (options.speed) {
+  if (options.speed && !options.views.live) {
     others.push_back(&pacer.emplace(*options.speed));
   }
   const Watchers watchers(std::move(views), !options.quiet && !options.json, others);
@@ -179,6 +200,7 @@ int run(const RunOptions& options) {
     }
     out().flush();
     draw_as(headline(result) + "  (seed " + std::to_string(result.seed) + ")");
+    watchers.linger(simulation);
     return result.outcome == simulation::Outcome::success ? kSuccess : kGoalMissed;
   } catch (const simulation::PluginFault& fault) {
     try {
@@ -238,9 +260,24 @@ void add_run_command(CLI::App& program, Job& job) {
   command
       ->add_option("--speed", options->speed,
                    "Simulated seconds per second on the clock, at most; default: as fast as it "
-                   "goes. 1 is real time")
+                   "goes, and 1 with --live. 1 is real time")
       ->check(positive_number())
       ->type_name("FACTOR");
+  command
+      ->add_option("--live", options->views.live,
+                   "Show the run in Foxglove while it happens, and let viewers pause it and go to "
+                   "other times; stays until Ctrl-C. The port is 8765 by default, 0 is any free "
+                   "one; other machines are let in only at an address such as 0.0.0.0:8765")
+      ->expected(0, 1)
+      ->default_str("8765")
+      ->type_name("[[ADDRESS:]PORT]");
+  command
+      ->add_option("--live-origin", options->views.live_origins,
+                   "Let pages of this origin watch, too, e.g. https://viewer.example.org; may be "
+                   "repeated")
+      ->needs("--live")
+      ->allow_extra_args(false)
+      ->type_name("ORIGIN");
   options->views.record.add_to(*command);
   command
       ->add_option("--picture", options->views.picture,

@@ -38,6 +38,12 @@ class Watchers {
       views_->draw(simulation, line);
     }
   }
+  /// Shows the end of a live run until the user ends the program.
+  void linger(const simulation::Simulation& simulation) const {
+    if (views_) {
+      views_->linger(simulation);
+    }
+  }
 
  private:
   std::unique_ptr<RunViews> views_;

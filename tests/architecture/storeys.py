@@ -61,7 +61,7 @@ MODULES = {
     "libelsie-workshop": ["process", "build", "reference", "check"],
     "libelsie-editing": ["editing"],
     "libelsie-render": ["render"],
-    "libelsie-views": ["traces", "picture", "mcap", "recording", "page"],
+    "libelsie-views": ["traces", "picture", "mcap", "recording", "page", "live"],
     "libelsie-testing": ["testing"],
     "libelsie-session": ["snapshots", "client"],
     "libelsie-server": ["server"],

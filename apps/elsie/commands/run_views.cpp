@@ -19,6 +19,7 @@
 #include "command.h"
 #include "graph_file.h"
 #include "image_saver.h"
+#include "live_view.h"
 #include "make_views.h"
 #include "output_files.h"
 
@@ -58,10 +59,11 @@ class Views final : public RunViews {
     if (options_.image_folder) {
       require_image_folder(*options_.image_folder, "--save-images");
     }
+    if (options_.live) live_.emplace(options_);
   }
 
   void open(const simulation::Simulation& simulation,
-            const std::vector<std::filesystem::path>& inputs) override {
+            const std::vector<std::filesystem::path>& inputs, RunAgain again) override {
     files::require_apart(outputs(), inputs);
     if (options_.record.images) {
       require_cameras(simulation, "--record-images");
@@ -90,6 +92,10 @@ class Views final : public RunViews {
       tracks_ = tracks.get();
       add(std::move(tracks));
     }
+    if (live_) {
+      // Last: it holds the run, and the others are done by then.
+      observers_.push_back(&live_->open(simulation, std::move(again)));
+    }
   }
 
   std::span<simulation::Observer* const> observers() const override { return observers_; }
@@ -103,6 +109,10 @@ class Views final : public RunViews {
       picture::save_top_view(view, *options_.picture, {options_.picture_width, 0});
     }
     if (graph_) draw_graph(simulation, line);
+  }
+
+  void linger(const simulation::Simulation& simulation) override {
+    if (live_) live_->linger(simulation);
   }
 
  private:
@@ -170,6 +180,7 @@ class Views final : public RunViews {
   std::vector<std::unique_ptr<simulation::Observer>> owned_;
   std::vector<simulation::Observer*> observers_;
   const traces::TrackRecorder* tracks_ = nullptr;
+  std::optional<LiveView> live_;
 };
 
 }  // namespace

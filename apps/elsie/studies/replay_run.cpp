@@ -151,7 +151,7 @@ int replay_run(const ReplayOptions& options) {
                          .data_directories = data_directories(),
                          .files = restored.files(),
                          .cameras = render::world_cameras});
-  views->open(simulation, read_files(options.file, restored.files(), options.plugins));
+  views->open(simulation, read_files(options.file, restored.files(), options.plugins), {});
   simulation::Observer* const limits[] = {&limit};
   const Watchers watchers(std::move(views), !options.quiet, limits);
   const auto draw_as = [&](const std::string& line) { watchers.draw(simulation, line); };

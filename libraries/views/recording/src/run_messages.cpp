@@ -166,6 +166,8 @@ class RunMessages::Impl {
       }
       robots_.push_back(robot_channels(channels_, simulation, r, options_.images));
     }
+    has_cameras_ = std::any_of(robots_.begin(), robots_.end(),
+                               [](const RobotChannels& each) { return !each.cameras.empty(); });
     for (const auto& [kind, channels] : before) {
       for (const std::uint32_t id : ids_of(channels)) out_.remove_channel(id);
     }
@@ -240,7 +242,7 @@ class RunMessages::Impl {
 
   void remember_who_sees(const Simulation& simulation) {
     empty_.clear();
-    for (std::size_t r = 0; options_.images && r < simulation.robots(); ++r) {
+    for (std::size_t r = 0; has_cameras_ && r < simulation.robots(); ++r) {
       empty_.push_back(simulation.robot(r).empty);
     }
   }
@@ -424,6 +426,7 @@ class RunMessages::Impl {
   std::map<std::string, std::uint32_t> fields_;        // of the floor, by id
   std::set<std::string> lacking_;                      // what a plugin failed to show
   std::vector<RobotChannels> robots_;
+  bool has_cameras_ = false;                             // whose pictures are recorded
   std::vector<std::size_t> crowd_;                       // places of the robots without channels
   std::unordered_map<std::string, std::size_t> places_;  // of all robots in the simulation
   std::size_t seen_events_ = 0;
