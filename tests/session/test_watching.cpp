@@ -69,6 +69,23 @@ TEST_CASE("Watching begins at once, and shows what robots decide and sense") {
   CHECK_FALSE(robot.contains("fuzzy"));
 }
 
+TEST_CASE("States come, too, to a window that asks for the past with each picture") {
+  Session session;
+  session.open(kRoom);
+  session.ask({{"do", "speed"}, {"factor", 0.5}});
+  watch(session, {"decisions"});
+  session.ask({{"do", "run"}});
+  std::size_t states = 0;
+  for (int picture = 0; picture < 30; ++picture) {
+    session.connection().send({{"id", 1000 + picture}, {"do", "paths"}});
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    for (const Json& message : session.connection().receive()) {
+      states += message.value("event", "") == "state" ? 1 : 0;
+    }
+  }
+  CHECK(states >= 5);
+}
+
 TEST_CASE("Only what is watched comes, of the robots that are watched") {
   Session session;
   session.open(kRoom);

@@ -229,14 +229,12 @@ void Server::Impl::between_decisions() {
       report_pause();
     }
   }
+  report_state_if_due();
   const Clock::time_point now = Clock::now();
   if (now - shown_ >= kBetweenSnapshots && (writer_.taken() || !with_next_snapshot_.empty())) {
     show();
   }
   report_stuck();
-  if (watching_.is_on() && now - stated_ >= kBetweenStates && link_.is_idle()) {
-    report_state();
-  }
   if (now - heard_ >= kBetweenMessages) {
     hear();
   }
@@ -248,11 +246,20 @@ void Server::Impl::between_decisions() {
     }
     link_.wait(std::min(kLongestNap, std::chrono::microseconds(std::llround(early * 1e6))));
     hear();
+    report_state_if_due();
     answer_past();
   }
   while (!running_) {
     link_.wait(kLongestWait);
     hear();
+  }
+}
+
+// Before the answers about the past, for which the window asks as soon as it has read all others:
+// it is hardly ever without an unread one.
+void Server::Impl::report_state_if_due() {
+  if (watching_.is_on() && Clock::now() - stated_ >= kBetweenStates && link_.is_idle()) {
+    report_state();
   }
 }
 

@@ -139,6 +139,7 @@ class Server::Impl {
   void tell_past(Past::Request request, Json& answer);
   void answer_past();
   void report_state();
+  void report_state_if_due();
   /// Says that a run to a time has reached it.
   void report_pause();
   /// Sends new events and notes of the run.
