@@ -181,6 +181,10 @@ TimeLine::TimeLine(Workbench& workbench, QWidget* parent) : QWidget(parent), wor
     is_in_the_past_ = false;
     show_now();
   });
+  // An edit changes the present, which the engine then shows.
+  connect(&workbench_, &Workbench::described, this, [this] {
+    if (is_in_the_past_) go_to_now();
+  });
   play_timer_.setInterval(kBetweenPictures_ms);
   connect(&play_timer_, &QTimer::timeout, this, &TimeLine::play_on);
 }

@@ -30,6 +30,16 @@ void choose(Window& window, const QStringList& paths) {
 
 }  // namespace
 
+TEST_CASE("A copy that is made in a run is put where nothing stands, and where nothing begins") {
+  Room window;
+  run_until(window, 5.0);
+  const auto& now = window->scene().stage().body_of("robot[r1]")->frame.origin;
+  REQUIRE(std::hypot(now.x + 1.0, now.y) > 0.4);  // its first place is free
+  choose(window, {"robot[r1]"});
+  window.after([&] { window.act("duplicate"); });
+  CHECK(window.get<WorldTree>("world_tree")->item("robot[r2]"));
+}
+
 TEST_CASE("Pieces of a world are told apart, with their attributes") {
   const auto pieces = pieces_of("<robot id='r1' x=\"1\">\n  <sensors/>\n</robot>\n <charger/>");
   REQUIRE(pieces.size() == 2);

@@ -119,7 +119,7 @@ TEST_CASE("Cancel takes back what was applied immediately, a new name, too") {
   CHECK(window.bench().text().contains("leader=\"true\""));
   window.after([&] { Window::press(dialog, QDialogButtonBox::Cancel); });
   CHECK(window.bench().text() == kRoom);
-  CHECK(window.bench().undo_name() == "cancel the edit of r1");
+  CHECK(window.bench().undo_name() == "cancel the edit of r9");
 }
 
 TEST_CASE("A behaviour that holds others is put in with one, so that it is not refused") {

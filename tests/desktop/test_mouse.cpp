@@ -433,7 +433,7 @@ TEST_CASE("Where a robot is now, and how fast, is shown beside what it was given
   auto* energy = properties->form().findChild<QLabel*>("energy_live");
   REQUIRE((x && speed && energy));
   CHECK(wait_for([&] {
-    return x->text().contains(QRegularExpression("^now, at [0-9.]+ s: x -0\\.[0-9]+ m$"));
+    return x->text().contains(QRegularExpression("^now at [0-9.]+ s: x -0\\.[0-9]+ m$"));
   }));
   CHECK(x->isVisible());
   CHECK(wait_for([&] { return speed->text().contains(" s: speed 0.") && speed->isVisible(); }));

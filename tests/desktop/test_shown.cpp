@@ -67,11 +67,11 @@ TEST_CASE("At rest, Properties shows where a thing is, also after an edit and a 
   Room window;
   window.choose("robot[r1]");
   auto* x = window.get<QLabel>("x_live");
-  CHECK(wait_for([&] { return x->text() == "now, at 0.00 s: x -1.00 m"; }));
+  CHECK(wait_for([&] { return x->text() == "now at 0.0 s: x -1.00 m"; }));
   window.bench().edit({"robot[r1]/@x=-1.5"}, "move r1");
-  CHECK(wait_for([&] { return x->text() == "now, at 0.00 s: x -1.50 m"; }));
+  CHECK(wait_for([&] { return x->text() == "now at 0.0 s: x -1.50 m"; }));
   window.bench().undo();
-  CHECK(wait_for([&] { return x->text() == "now, at 0.00 s: x -1.00 m"; }));
+  CHECK(wait_for([&] { return x->text() == "now at 0.0 s: x -1.00 m"; }));
 
   window.bench().run();
   auto* speed = window.get<QLabel>("max_speed_live");
@@ -79,7 +79,7 @@ TEST_CASE("At rest, Properties shows where a thing is, also after an edit and a 
   window.act("stop_engine");
   REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::none; }));
   REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::ready; }));
-  CHECK(wait_for([&] { return x->text() == "now, at 0.00 s: x -1.00 m"; }));
+  CHECK(wait_for([&] { return x->text() == "now at 0.0 s: x -1.00 m"; }));
 }
 
 TEST_CASE("A world with errors shows its text, at the first of them, and the view says so") {

@@ -4,6 +4,7 @@
 #include <QMimeData>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "authoring/authoring.h"
 #include "authoring/pieces.h"
@@ -17,6 +18,30 @@ constexpr auto kMime = "application/x-elsie-element";
 constexpr double kAside_m = 0.3;  // distance between the places that are tried for a copy
 constexpr double kLeast_m = 0.2;  // the size of an object that does not give it
 constexpr int kMostRings = 12;
+
+/// Half the diagonal of what an element says of its size, m.
+double room_of(const std::function<QString(const char*)>& attribute) {
+  const auto side = [&](const char* name) {
+    return std::max(attribute(name).toDouble(), kLeast_m);
+  };
+  return 0.5 * std::hypot(side("length"), side("width"));
+}
+
+/// Whether no object begins near that place: in a run they stand elsewhere.
+bool is_free_at_start(const Json& world, const QPointF& at, double room) {
+  bool is_free = true;
+  visit(world, [&](const ElementPlace& place) {
+    const QString list = place.parent ? name_of(*place.parent) : QString();
+    if (!place.list.isEmpty() || !kPlaced.contains(list) || Stage::is_bodiless(place.path)) {
+      return is_free;
+    }
+    const auto given = [&](const char* name) { return attribute(*place.element, name); };
+    const QPointF by = at - QPointF(given("x").toDouble(), given("y").toDouble());
+    is_free = is_free && std::hypot(by.x(), by.y()) > room + room_of(given);
+    return false;
+  });
+  return is_free;
+}
 
 QString clipboard_text() {
   const QMimeData* held = QApplication::clipboard()->mimeData();
@@ -192,11 +217,10 @@ QPointF Authoring::way_aside(const std::vector<Piece>& pieces) const {
   const auto is_free = [&](const Piece& piece, const QPointF& by) {
     const QPointF at(attribute_of(piece, "x").toDouble() + by.x(),
                      attribute_of(piece, "y").toDouble() + by.y());
-    const double room =
-        0.5 * std::hypot(std::max(attribute_of(piece, "length").toDouble(), kLeast_m),
-                         std::max(attribute_of(piece, "width").toDouble(), kLeast_m));
+    const double room = room_of([&](const char* name) { return attribute_of(piece, name); });
     return std::abs(at.x()) + room < 0.5 * stage_.length() &&
-           std::abs(at.y()) + room < 0.5 * stage_.width() && stage_.is_free(at, room);
+           std::abs(at.y()) + room < 0.5 * stage_.width() && stage_.is_free(at, room) &&
+           is_free_at_start(workbench_.tree(), at, room);
   };
   // A waypoint has no body, but another waypoint is at its place.
   const bool is_way = std::any_of(pieces.begin(), pieces.end(),

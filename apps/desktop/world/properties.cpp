@@ -195,10 +195,9 @@ void Properties::show_number(const QString& name, const QString& title, double v
 
 void Properties::show_live(const QString& name, const QString& title, const QString& value) {
   const bool is_past = workbench_.time_s() < workbench_.latest_s();
-  const QString words = is_past ? tr("at %1 s: %2 %3") : tr("now, at %1 s: %2 %3");
-  form_->show_live(name, value.isEmpty()
-                             ? QString()
-                             : words.arg(workbench_.time_s(), 0, 'f', 2).arg(title, value));
+  const QString time = QString::number(workbench_.time_s(), 'f', is_past ? 2 : 1);
+  const QString words = is_past ? tr("at %1 s: %2 %3") : tr("now at %1 s: %2 %3");
+  form_->show_live(name, value.isEmpty() ? QString() : words.arg(time, title, value));
 }
 
 void Properties::refresh() {
