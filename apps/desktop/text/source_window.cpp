@@ -14,7 +14,7 @@
 #include <QVBoxLayout>
 
 #include "paint/warning_label.h"
-#include "text/world_editor.h"
+#include "text/code_editor.h"
 
 namespace elsie::desktop {
 
@@ -56,13 +56,10 @@ SourceWindow::SourceWindow(const QString& file, const QString& text, QWidget* pa
   auto* other = new QPushButton(tr("Open in &another program"));
   row->addWidget(other);
   column->addLayout(row);
-  editor_ = new WorldEditor(this, file.endsWith(".xml"));
-  editor_->set_text(text);
-  editor_->setUndoRedoEnabled(true);
+  editor_ = new CodeEditor(this);
+  editor_->setPlainText(text);
   editor_->document()->setModified(false);
   column->addWidget(editor_, 1);
-  connect(editor_, &WorldEditor::undo_wished, editor_, &QPlainTextEdit::undo);
-  connect(editor_, &WorldEditor::redo_wished, editor_, &QPlainTextEdit::redo);
   connect(editor_->document(), &QTextDocument::modificationChanged, this,
           [this](bool is_modified) { setWindowModified(is_modified); });
   connect(save_button, &QPushButton::clicked, this, &SourceWindow::save);

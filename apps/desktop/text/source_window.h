@@ -5,7 +5,7 @@
 
 namespace elsie::desktop {
 
-class WorldEditor;
+class CodeEditor;
 
 /// Ctrl+S writes the file; the engine reads again what it watches. Asks about unsaved changes when
 /// it is closed.
@@ -26,7 +26,7 @@ class SourceWindow : public QWidget {
   SourceWindow(const QString& file, const QString& text, QWidget* parent);
 
   QString file_;
-  WorldEditor* editor_;
+  CodeEditor* editor_;
 };
 
 }  // namespace elsie::desktop

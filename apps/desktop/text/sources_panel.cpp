@@ -1,0 +1,247 @@
+#include "text/sources_panel.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTextDocument>
+#include <QVBoxLayout>
+#include <cstring>
+
+#include "elsie/files/write_whole.h"
+
+#include "text/code_editor.h"
+#include "text/code_highlighter.h"
+
+namespace elsie::desktop {
+namespace {
+
+constexpr qint64 kLongest = 10'000'000;  // bytes
+
+/// Has its own undo, and saves on Ctrl+S: the world is saved elsewhere.
+class SourceText : public CodeEditor {
+ public:
+  explicit SourceText(SourceEditor* owner)
+      : CodeEditor(owner), owner_(owner), highlighter(new CodeHighlighter(document())) {
+    use_palette();
+  }
+
+ protected:
+  bool event(QEvent* event) override {
+    if (event->type() == QEvent::ShortcutOverride) {
+      auto* key = static_cast<QKeyEvent*>(event);
+      if (key->matches(QKeySequence::Save)) {
+        event->accept();
+        return true;
+      }
+    }
+    return CodeEditor::event(event);
+  }
+  void keyPressEvent(QKeyEvent* event) override {
+    if (event->matches(QKeySequence::Save)) {
+      Q_EMIT owner_->save_wished();
+    } else if (event->key() == Qt::Key_Tab) {
+      insertPlainText(QString(highlighter->indent(), u' '));
+    } else {
+      CodeEditor::keyPressEvent(event);
+    }
+  }
+  void use_palette() override { highlighter->use_palette(palette()); }
+
+ private:
+  SourceEditor* owner_;
+
+ public:
+  CodeHighlighter* highlighter;
+};
+
+}  // namespace
+
+SourceEditor::SourceEditor(QWidget* parent)
+    : QWidget(parent), save_(new QPushButton(tr("&Save and load"))), state_(new QLabel) {
+  auto* text = new SourceText(this);
+  text->setObjectName(QStringLiteral("source_text"));
+  text->setAccessibleName(tr("Source of the plugin"));
+  text_ = text;
+  highlighter_ = text->highlighter;
+  setFocusProxy(text_);
+  save_->setObjectName(QStringLiteral("save_source"));
+  save_->setToolTip(
+      tr("Saves the file; the engine compiles and loads it, and the run goes on (Ctrl+S)"));
+  state_->setObjectName(QStringLiteral("source_state"));
+  state_->setTextFormat(Qt::PlainText);
+  auto* row = new QHBoxLayout;
+  row->addWidget(save_);
+  row->addWidget(state_, 1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(text_, 1);
+  column->addLayout(row);
+  connect(save_, &QPushButton::clicked, this, &SourceEditor::save_wished);
+  save_->setEnabled(false);
+  connect(text_->document(), &QTextDocument::modificationChanged, this, &SourceEditor::modified);
+  connect(this, &SourceEditor::modified, save_, [this] { save_->setEnabled(is_modified()); });
+}
+
+QString SourceEditor::open(const QString& file) {
+  QFile opened(file);
+  if (!opened.open(QIODevice::ReadOnly) || opened.size() > kLongest) {
+    return tr("'%1' cannot be read: %2.")
+        .arg(file, opened.isOpen() ? tr("it is too long for a source") : opened.errorString());
+  }
+  file_ = file;
+  highlighter_->set_language(file.endsWith(QLatin1String(".py")) ? CodeHighlighter::Language::python
+                                                                 : CodeHighlighter::Language::cpp);
+  text_->setPlainText(QString::fromUtf8(opened.readAll()));
+  text_->document()->setModified(false);
+  return {};
+}
+
+QString SourceEditor::save() {
+  const int error =
+      files::write_whole(file_.toStdString(), text_->whole_text().toUtf8().toStdString());
+  if (error != 0) {
+    return tr("'%1' cannot be written: %2. The text stays here; make room, or allow writing there, "
+              "and save again.")
+        .arg(file_, QString::fromLocal8Bit(strerror(error)));
+  }
+  text_->document()->setModified(false);
+  return {};
+}
+
+bool SourceEditor::is_modified() const { return text_->document()->isModified(); }
+
+void SourceEditor::say(const QString& state) { state_->setText(state); }
+
+void SourceEditor::set_problems(const std::vector<Problem>& problems) {
+  text_->set_problems(problems);
+}
+
+SourcesPanel::SourcesPanel(QWidget* parent) : QWidget(parent), tabs_(new QTabWidget) {
+  tabs_->setObjectName(QStringLiteral("source_tabs"));
+  tabs_->setDocumentMode(true);
+  tabs_->setTabsClosable(true);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(tabs_);
+  connect(tabs_, &QTabWidget::tabCloseRequested, this, [this](int tab) {
+    auto* editor = static_cast<SourceEditor*>(tabs_->widget(tab));
+    const QString why = editor->is_modified() ? editor->save() : QString();
+    if (!why.isEmpty()) {
+      Q_EMIT failed(why);
+      return;
+    }
+    tabs_->removeTab(tab);
+    editor->deleteLater();
+  });
+}
+
+std::vector<SourceEditor*> SourcesPanel::editors() const {
+  std::vector<SourceEditor*> all;
+  for (int i = 0; i < tabs_->count(); ++i) {
+    all.push_back(static_cast<SourceEditor*>(tabs_->widget(i)));
+  }
+  return all;
+}
+
+SourceEditor* SourcesPanel::editor_of(const QString& file) const {
+  for (SourceEditor* each : editors()) {
+    if (QFileInfo(each->file()) == QFileInfo(file)) return each;
+  }
+  return nullptr;
+}
+
+QString SourcesPanel::open(const QString& file) {
+  SourceEditor* editor = editor_of(file);
+  if (!editor) {
+    editor = new SourceEditor;
+    const QString why = editor->open(file);
+    if (!why.isEmpty()) {
+      delete editor;
+      return why;
+    }
+    tabs_->addTab(editor, {});
+    connect(editor, &SourceEditor::modified, this, &SourcesPanel::show_titles);
+    connect(editor, &SourceEditor::save_wished, this, [this, editor] { save(editor); });
+    show_titles();
+  }
+  tabs_->setCurrentWidget(editor);
+  editor->setFocus();
+  return {};
+}
+
+void SourcesPanel::show_titles() {
+  for (int i = 0; i < tabs_->count(); ++i) {
+    const auto* editor = static_cast<SourceEditor*>(tabs_->widget(i));
+    tabs_->setTabText(i, QFileInfo(editor->file()).fileName() +
+                             (editor->is_modified() ? QStringLiteral("*") : QString()));
+    tabs_->setTabToolTip(i, editor->file());
+  }
+}
+
+void SourcesPanel::save(SourceEditor* editor) {
+  if (!editor->is_modified()) {
+    return;  // the engine has it
+  }
+  const QString why = editor->save();
+  if (!why.isEmpty()) {
+    Q_EMIT failed(why);
+    return;
+  }
+  editor->say(tr("Saved. The engine loads it..."));
+}
+
+void SourcesPanel::go_to(const QString& file, int line) {
+  if (const QString why = open(file); !why.isEmpty()) {
+    Q_EMIT failed(why);
+    return;
+  }
+  editor_of(file)->text().go_to(line);
+}
+
+void SourcesPanel::set_problems(const std::vector<Problem>& problems) {
+  for (SourceEditor* each : editors()) {
+    std::vector<Problem> own;
+    for (const Problem& problem : problems) {
+      if (problem.line > 0 && QFileInfo(problem.file) == QFileInfo(each->file())) {
+        own.push_back(problem);
+      }
+    }
+    each->set_problems(own);
+  }
+}
+
+void SourcesPanel::take(const QStringList& used, const QStringList& kept) {
+  for (SourceEditor* each : editors()) {
+    if (used.contains(each->file())) {
+      each->say(tr("✓ Loaded: the engine uses what was saved."));
+    } else if (kept.contains(each->file())) {
+      each->say(tr("✗ Not loaded: it has errors, which the window Errors lists."));
+    }
+  }
+}
+
+void SourcesPanel::say(const QString& file, const QString& state) {
+  if (SourceEditor* editor = editor_of(file)) editor->say(state);
+}
+
+QStringList SourcesPanel::modified() const {
+  QStringList files;
+  for (const SourceEditor* each : editors()) {
+    if (each->is_modified()) files << each->file();
+  }
+  return files;
+}
+
+QString SourcesPanel::save_all() {
+  for (SourceEditor* each : editors()) {
+    const QString why = each->is_modified() ? each->save() : QString();
+    if (!why.isEmpty()) return why;
+  }
+  return {};
+}
+
+}  // namespace elsie::desktop

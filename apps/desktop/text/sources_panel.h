@@ -1,0 +1,81 @@
+// The sources of plugins that are written in the window.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "engine/problem.h"
+
+class QLabel;
+class QPushButton;
+class QTabWidget;
+
+namespace elsie::desktop {
+
+class CodeEditor;
+class CodeHighlighter;
+
+/// The source of one plugin. Saving it makes the engine compile and load it.
+class SourceEditor : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SourceEditor(QWidget* parent = nullptr);
+
+  /// Returns "", or why the file cannot be read.
+  QString open(const QString& file);
+  const QString& file() const { return file_; }
+  /// Returns "", or why the file cannot be written.
+  QString save();
+  bool is_modified() const;
+  void say(const QString& state);
+  /// The problems of this file.
+  void set_problems(const std::vector<Problem>& problems);
+  CodeEditor& text() { return *text_; }
+
+ Q_SIGNALS:
+  void save_wished();
+  void modified();
+
+ private:
+  QString file_;
+  CodeEditor* text_;
+  CodeHighlighter* highlighter_;
+  QPushButton* save_;
+  QLabel* state_;
+};
+
+/// A tab for each of them.
+class SourcesPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SourcesPanel(QWidget* parent = nullptr);
+
+  /// Shows the file. Returns "", or why it cannot be read.
+  QString open(const QString& file);
+  /// Whether it has a tab.
+  bool has(const QString& file) const { return editor_of(file) != nullptr; }
+  void go_to(const QString& file, int line);
+  /// What is wrong with them, and whether the engine uses what was saved.
+  void set_problems(const std::vector<Problem>& problems);
+  void take(const QStringList& used, const QStringList& kept);
+  void say(const QString& file, const QString& state);
+  /// The files with changes that are not saved.
+  QStringList modified() const;
+  /// Saves all. Returns "", or why a file cannot be written.
+  QString save_all();
+
+ Q_SIGNALS:
+  void failed(const QString& sentence);
+
+ private:
+  SourceEditor* editor_of(const QString& file) const;
+  std::vector<SourceEditor*> editors() const;
+  void show_titles();
+  void save(SourceEditor* editor);
+
+  QTabWidget* tabs_;
+};
+
+}  // namespace elsie::desktop
