@@ -38,6 +38,7 @@ const std::map<std::string, std::string> kBeyondSchemas = {
     {"drive_without_joints", "what the plugin's own code says"},
     {"drive_without_number", "what the plugin's own code says"},
     {"drive_refuses", "what the plugin's own code says"},
+    {"schema_of_a_robot", "attributes that XML Schema allows everywhere"},
     {"planar_box_in_the_air", "what the engine cannot simulate"},
     {"planar_robot_in_the_air", "what the engine cannot simulate"},
     {"wheels_inside_each_other", "attributes that depend on each other"},
