@@ -215,6 +215,7 @@ void MainWindow::show_page(bool is_start) {
 void MainWindow::arrange(const QString& layout) {
   const bool is_start = is_start_shown_ && !workbench_.tree().is_object();
   show_page(false);
+  in_front_.clear();
   for (QDockWidget* each : docks()) {
     each->setFloating(false);
     each->hide();
@@ -227,6 +228,7 @@ void MainWindow::arrange(const QString& layout) {
       if (each != docks.front()) tabifyDockWidget(docks.front(), each);
     }
     docks.front()->raise();
+    in_front_ << docks.front()->objectName();  // not yet seen in a window that is not shown yet
   };
   QList<QDockWidget*> trees{docks_.world};
   for (const QString& team : std::as_const(teams_shown_)) {

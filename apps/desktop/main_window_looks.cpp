@@ -62,7 +62,8 @@ void MainWindow::fit_tool_bars() {
   }
   const bool is_below = toolBarBreak(environment_) || environment_->isFloating() ||
                         toolBarArea(environment_) != toolBarArea(tools_);
-  const int room = is_below ? width() : width() - tools_->sizeHint().width();
+  const int others = is_below ? 0 : tools_->sizeHint().width();
+  const int room = width() - others - fontMetrics().height();
   environment_->setToolButtonStyle(worded_px_ <= room ? Qt::ToolButtonTextBesideIcon
                                                       : Qt::ToolButtonIconOnly);
 }
