@@ -59,13 +59,11 @@ inline void write_hostile(const std::filesystem::path& recording,
     nlohmann::ordered_json json = nlohmann::ordered_json::parse(message->data);
     if (!channels.contains(channel.id)) {
       channels[channel.id] = writer.add_channel(channel.topic, 0, "json", channel.metadata);
-      if (channel.topic == "/world") {
+      if (channel.topic == "/robots/r1/trace") {
         const auto events = writer.add_channel("/events", 0, "json");
         const nlohmann::json event{
             {"level", 3}, {"name", "r1"}, {"event", kHostileText}, {"detail", kHostileText}};
-        writer.write(channels[channel.id], message->log_time_ns, json.dump());
         writer.write(events, message->log_time_ns, event.dump());
-        continue;
       }
     }
     if (channel.topic.ends_with("/trace")) {

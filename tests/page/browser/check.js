@@ -24,6 +24,8 @@ addEventListener("load", async () => {
       .filter((element) => !(element.getAttribute("aria-label") || element.textContent.trim()))
       .map((element) => element.outerHTML.slice(0, 120));
 
+    // Nothing may cover what is looked at.
+    document.getElementById("sketches").click();
     // Where robots are at three instants, and the colours of the places behind their fronts then and at the first instant.
     found.instants = [0.25, 0.5, 1].map((part) => {
       const time = part * page.run.end;
