@@ -71,8 +71,13 @@ class Session final : public std::enable_shared_from_this<Session> {
       return;
     }
     is_open_ = false;
+    // The good-bye waits for what is being sent, which a client that does not read never takes.
+    parting_.expires_after(kToPart);
+    parting_.async_wait([self = shared_from_this()](error_code error) {
+      if (!error) self->tcp_stream().close();
+    });
     stream_.async_close({websocket::close_code::going_away, "the run is no longer shown"},
-                        [self = shared_from_this()](error_code) {});
+                        [self = shared_from_this()](error_code) { self->parting_.cancel(); });
   }
 
  private:
@@ -189,6 +194,7 @@ class Session final : public std::enable_shared_from_this<Session> {
   }
 
   websocket::stream<beast::tcp_stream> stream_;
+  asio::steady_timer parting_{stream_.get_executor()};
   Hub& hub_;
   const std::vector<std::string>& origins_;
   bool is_room_;
