@@ -111,9 +111,9 @@ TEST_CASE("Cancel takes back what was applied immediately, a new name, too") {
   QTest::mouseClick(dialog->findChild<QAbstractButton*>("apply_immediately"), Qt::LeftButton, {},
                     QPoint(8, 8));
   auto* form = dialog->findChild<Form*>("form_robot");
-  for (const auto& [name, value] : {std::pair("id", "r9"), {"leader", "true"}, {"x", "0.5"}}) {
-    INFO(name);
-    window.after([&] { form->set_value(name, value); });
+  for (const auto& change : {std::pair("id", "r9"), {"leader", "true"}, {"x", "0.5"}}) {
+    INFO(change.first);
+    window.after([&] { form->set_value(change.first, change.second); });
   }
   CHECK(window.bench().text().contains("<robot id=\"r9\" team=\"red\" x=\"0.5\""));
   CHECK(window.bench().text().contains("leader=\"true\""));
