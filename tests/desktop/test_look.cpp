@@ -57,7 +57,7 @@ TEST_CASE("A robot shows where its front is") {
   const Stage& stage = scene.stage();
   const Stage::Solid& chassis = *stage.chassis_of(*stage.body_of("robot[r1]"));
   const Frame frame = stage.frame_of(chassis);
-  const QImage picture = scene.picture();
+  const QImage picture = scene.picture(1);
   int marked_ahead = 0, marked_behind = 0;
   for (double part = 0.05; part < 0.45; part += 0.05) {
     const Vector3 ahead{part * chassis.shape.size.x, 0.0, 0.5 * chassis.shape.size.z};
@@ -222,7 +222,7 @@ TEST_CASE("Goals have their places in the view, with their names") {
   CHECK(std::any_of(labels.begin(), labels.end(),
                     [](const Label& each) { return each.text == "goal of r1"; }));
   scene.look(OrbitCamera::kFromTop);
-  const QColor middle = seen(scene, scene.picture(), {1.0, 1.0, 0.0});
+  const QColor middle = seen(scene, scene.picture(1), {1.0, 1.0, 0.0});
   CHECK(middle.green() < 200);  // the cross
 }
 

@@ -419,7 +419,7 @@ TEST_CASE("A scene that is none leaves the stage empty, and the window alive") {
         Json{{"arena", {4, 4}}, {"bodies", {body}}, {"shapes", {7}}}}) {
     view.set_scene(scene, 1);
     CHECK(view.stage().is_empty());
-    CHECK_FALSE(view.picture().isNull());
+    CHECK_FALSE(view.picture(1).isNull());
   }
 }
 

@@ -103,14 +103,14 @@ TEST_CASE(
   window.run_past(2.0);
   REQUIRE(scene.stage().marks().size() >= 17);  // one ray, eight edges each of two pyramids
   REQUIRE(wait_for([&] { return !vision->picture("r1/eye raw").isNull(); }));
-  const QImage with = scene.picture();
+  const QImage with = scene.picture(1);
   const QImage seen = vision->picture("r1/eye raw");
   for (const char* name : {"show_trails", "show_sketches", "show_names", "show_grid"}) {
     INFO(name);
     window.act(name);
-    CHECK(scene.picture() != with);
+    CHECK(scene.picture(1) != with);
     window.act(name);
-    CHECK(scene.picture() == with);
+    CHECK(scene.picture(1) == with);
   }
   // A camera's picture has the world only, whatever the window draws: with everything hidden from
   // the start, the same step of the same run gives the same picture.
@@ -130,7 +130,7 @@ TEST_CASE(
   REQUIRE(other.bench().time_s() == time_s);
   REQUIRE(wait_for([&] { return !other_vision->picture("r1/eye raw").isNull(); }));
   CHECK(wait_for([&] { return other_vision->picture("r1/eye raw") == seen; }));
-  CHECK(with != other->scene().picture());
+  CHECK(with != other->scene().picture(1));
 }
 
 TEST_CASE("Lines behind robots are the same painted bit by bit and at once") {
@@ -138,13 +138,13 @@ TEST_CASE("Lines behind robots are the same painted bit by bit and at once") {
   SceneView& scene = window->scene();
   scene.overlays() = {.trails = true, .sketches = false, .names = false, .grid = false};
   window.run_past(3.0);
-  const QImage bit_by_bit = scene.picture().convertToFormat(QImage::Format_Grayscale8);
+  const QImage bit_by_bit = scene.picture(1).convertToFormat(QImage::Format_Grayscale8);
   scene.follow({});
   scene.camera().yaw += 1.0;
   scene.show_all();
   scene.camera().yaw -= 1.0;
   scene.show_all();  // the lines are painted again
-  const QImage at_once = scene.picture().convertToFormat(QImage::Format_Grayscale8);
+  const QImage at_once = scene.picture(1).convertToFormat(QImage::Format_Grayscale8);
   REQUIRE(bit_by_bit.size() == at_once.size());
   int different = 0;
   for (int y = 0; y < at_once.height(); ++y) {

@@ -1,5 +1,7 @@
 // Pictures of worlds in the view alone, for docs and for eyes: scripts/desktop-pictures. Hidden
 // from ordinary runs.
+#include <cmath>
+
 #include <catch2/catch.hpp>
 
 #include "engine/elements.h"
@@ -42,7 +44,13 @@ void show(Window& window, const QString& file, double time_s) {
     run_until(window, time_s);
     SceneView& scene = window->scene();
     const QString robot = robot_id(scene.stage().bodies().front().path);
-    REQUIRE(wait_for([&] { return !scene.trails().pieces(robot, time_s).empty(); }));
+    // The engine sends what it has stored bit by bit.
+    REQUIRE(wait_for([&] {
+      const auto pieces = scene.trails().pieces(robot, time_s);
+      const auto at = scene.stage().bodies().front().frame.origin;
+      return !pieces.empty() &&
+             std::hypot(pieces.back().back().x() - at.x, pieces.back().back().y() - at.y) < 0.1;
+    }));
   }
   window->scene().show_all();
 }

@@ -104,13 +104,18 @@ void OverlayPainter::scale() const {
 
 /// Returns how wide it is, px; 0 if it is not in the picture.
 double OverlayPainter::number(const Vector3& at, const Vector3& away, const QString& text) const {
-  const auto begin = camera_.project(at, size_), end = camera_.project(at + 0.1 * away, size_);
-  if (!begin || !end || !QRectF(QPointF(), QSizeF(size_)).contains(*begin)) return 0.0;
+  const Vector3 top{0.0, 0.0, stage_.height()};
+  auto begin = camera_.project(at, size_);
+  const auto end = camera_.project(at + 0.1 * away, size_),
+             above = camera_.project(at + top, size_);
+  if (!begin || !end || !above || !QRectF(QPointF(), QSizeF(size_)).contains(*begin)) return 0.0;
   const QFontMetricsF metrics(painter_.font());
   const double wide = metrics.horizontalAdvance(text), high = metrics.height();
-  // The box touches the edge with the side that is nearest to it.
   QPointF way = *end - *begin;
   way /= std::max(1e-6, std::hypot(way.x(), way.y()));
+  // Beyond the top of a wall that leans outwards in the picture.
+  *begin += std::max(0.0, QPointF::dotProduct(*above - *begin, way)) * way;
+  // The box touches the edge with the side that is nearest to it.
   const QPointF middle = *begin + QPointF(0.5 * wide * way.x(), 0.5 * high * way.y());
   painter_.setPen(scale_ink_);
   painter_.drawText(QRectF(middle - QPointF(0.5 * wide, 0.5 * high), QSizeF(wide + 1.0, high)),

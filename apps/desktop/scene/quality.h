@@ -9,7 +9,7 @@
 namespace elsie::desktop {
 
 /// Chooses a level from how long the last pictures took. A level that is too slow is left after
-/// three pictures, and a finer one is tried when it should take clearly less than there is.
+/// three pictures, and a finer one is tried when it should take less than half of what there is.
 class Quality {
  public:
   struct Level {
@@ -39,7 +39,7 @@ class Quality {
     slow_ = 0;
     if (level_ + 1 == kLevels.size()) return;
     const double finer = ms * kLevels[level_ + 1].passes / kLevels[level_].passes;
-    quick_ = finer < 0.75 * kMost_ms ? quick_ + 1 : 0;
+    quick_ = finer < 0.5 * kMost_ms ? quick_ + 1 : 0;
     if (quick_ == 10) {
       ++level_;
       quick_ = 0;

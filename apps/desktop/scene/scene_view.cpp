@@ -32,6 +32,8 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
   setMinimumSize(160, 120);
   setAttribute(Qt::WA_OpaquePaintEvent);
   connect(&refining_, &QTimer::timeout, this, &SceneView::refine);
+  pacing_.setSingleShot(true);
+  connect(&pacing_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
 }
 
 SceneView::~SceneView() = default;
@@ -64,6 +66,7 @@ void SceneView::take(const snapshots::Snapshot& snapshot) {
   }
   if (stage_.has_changed()) {
     follow_robot();
+    can_wait_ = can_wait_ || !is_stale_;
     is_stale_ = true;
   }
   update();
@@ -139,6 +142,7 @@ void SceneView::set_tool(Tool tool) {
 
 void SceneView::camera_moved() {
   is_stale_ = true;
+  can_wait_ = false;
   trails_.paint_anew();
   update();
 }
@@ -219,7 +223,8 @@ void SceneView::resizeEvent(QResizeEvent* event) {
 bool SceneView::is_dark() const { return palette().color(QPalette::Window).lightness() < 128; }
 
 void SceneView::compose() {
-  is_stale_ = false;
+  is_stale_ = can_wait_ = false;
+  drawn_ago_.start();
   drawn_overlays_ = overlays_;
   drawn_sensor_ = selection_.value(0);
   refining_.stop();
@@ -274,7 +279,14 @@ void SceneView::refine() {
 }
 
 void SceneView::paintEvent(QPaintEvent*) {
-  if (is_stale_ || drawn_overlays_ != overlays_) compose();
+  // More than 40 pictures a second of a run would only slow it down.
+  constexpr qint64 kApart_ms = 25;
+  const qint64 wait_ms = can_wait_ ? kApart_ms - drawn_ago_.elapsed() : 0;
+  if (drawn_overlays_ != overlays_ || (is_stale_ && wait_ms <= 0)) {
+    compose();
+  } else if (is_stale_ && !pacing_.isActive()) {
+    pacing_.start(static_cast<int>(wait_ms));
+  }
   QPainter painter(this);
   paint(painter, true);
 }

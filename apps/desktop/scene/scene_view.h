@@ -2,6 +2,7 @@
 // mouse and keys.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QImage>
 #include <QSet>
 #include <QStringList>
@@ -85,7 +86,7 @@ class SceneView : public QWidget {
   Follow follows() const { return follows_; }
 
   /// The number of passes of a picture that is kept, and of a film's.
-  static constexpr int kPicture = render::kFinished, kFilm = 4;
+  static constexpr int kPicture = 2 * render::kFinished, kFilm = 4;
   /// A picture of the view without handles, of as many passes.
   QImage picture(int passes = kPicture);
   /// What is seen of the world without lines and words.
@@ -169,7 +170,10 @@ class SceneView : public QWidget {
   Photograph photograph_;
   QImage with_trails_;  // the photograph and the trails
   QTimer refining_;     // while nothing moves
+  QTimer pacing_;       // until the next picture of what robots do
+  QElapsedTimer drawn_ago_;
   bool is_stale_ = true;
+  bool can_wait_ = false;    // what is stale is not what a hand did
   Overlays drawn_overlays_;  // of the photograph
   QString drawn_sensor_;
   bool was_shown_ = false;

@@ -495,7 +495,7 @@ void ShowPainter::draw_floor(const Matrix& camera, const Shaders& with, const Li
   prepare(with.around);
   set(with.around, "outside", style_.outside);
   set(with.around, "horizon", style_.horizon);
-  set(with.around, "reach", 0.5 * std::hypot(style_.arena.x, style_.arena.y));
+  set(with.around, "reach", std::max(0.1, 0.5 * std::hypot(style_.arena.x, style_.arena.y)));
   draw(around_);
   prepare(with.floor);
   draw(flat_[kSquare]);

@@ -36,8 +36,8 @@ struct Style {
   Colour zenith{176, 194, 214};
 };
 
-/// After as many passes a picture does not get better visibly.
-inline constexpr int kFinished = 32;
+/// After as many passes a picture does not get much better.
+inline constexpr int kFinished = 16;
 
 /// A picture that is the mean of passes.
 class Exposure {
