@@ -1,5 +1,6 @@
 // Pictures of worlds in the view alone, for docs and for eyes: scripts/desktop-pictures. Hidden
 // from ordinary runs.
+#include <QDockWidget>
 #include <cmath>
 
 #include <catch2/catch.hpp>
