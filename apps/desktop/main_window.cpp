@@ -25,6 +25,7 @@
 #include "scene/scene_view.h"
 #include "start_page.h"
 #include "watch/plots_panel.h"
+#include "watch/run_card.h"
 #include "world/properties.h"
 #include "world/world_tree.h"
 
@@ -73,6 +74,8 @@ MainWindow::MainWindow(const QString& elsie, const QStringList& options, QWidget
   column->setSpacing(0);
   past_ = new Past(workbench_, this);
   scene_ = new SceneView;
+  run_card_ = new RunCard(scene_);
+  stuck_notice_ = new StuckNotice(scene_);
   time_line_ = new TimeLine(workbench_);
   column->addWidget(scene_, 1);
   column->addWidget(time_line_);
@@ -80,7 +83,7 @@ MainWindow::MainWindow(const QString& elsie, const QStringList& options, QWidget
   centre_->addWidget(view);
   setCentralWidget(centre_);
   authoring_ = new Authoring(workbench_, *scene_, this);
-  exporter_ = new Exporter(workbench_, *scene_, *time_line_, this);
+  exporter_ = new Exporter(workbench_, *scene_, *time_line_, *past_, this);
   runs_ = new RunReader(elsie, options, this);
 
   make_menus();
@@ -88,6 +91,7 @@ MainWindow::MainWindow(const QString& elsie, const QStringList& options, QWidget
   make_docks();
   connect_workbench();
   connect_views();
+  connect_cards();
 
   const QSize first =
       first_size(QApplication::primaryScreen()->availableSize(), usual_frame(*style()));

@@ -1,8 +1,9 @@
 // The window with its docks and files. main_window.cpp shows the state of the run,
 // main_window_actions.cpp has commands, menus and bars, main_window_docks.cpp the docks,
-// main_window_files.cpp files and unsaved work, main_window_runs.cpp recorded runs,
-// main_window_connections.cpp the signals that the window receives, main_window_looks.cpp the bars,
-// the theme, the language and the palette of commands.
+// main_window_files.cpp files and unsaved work, main_window_plugins.cpp plugins that are written
+// here and help, main_window_runs.cpp recorded runs, main_window_connections.cpp the signals that
+// the window receives, main_window_looks.cpp the bars, the theme, the language and the palette of
+// commands.
 #pragma once
 
 #include <QHash>
@@ -32,12 +33,15 @@ class PlotsPanel;
 class ProblemsPanel;
 class RunReader;
 struct Offer;
+class SourcesPanel;
 struct Recorded;
 struct RecordedWorld;
+class RunCard;
 struct StoredRun;
 class SceneView;
 class SensorsPanel;
 class StartPage;
+class StuckNotice;
 class TimeLine;
 class VisionPanel;
 class WorldEditor;
@@ -141,6 +145,17 @@ class MainWindow : public QMainWindow {
   /// Says whether a finished run equals the recorded one.
   void compare_with_recording(const Json& end);
   void run_or_pause();
+  /// Begins a run at once.
+  void run_with(quint64 seed);
+  void connect_cards();
+  void show_end();
+  void write_behavior();
+  void use_source(const QString& source, const QString& name);
+  void open_source(const QString& file, int line);
+  void take_plugins(const QStringList& used, const QStringList& kept);
+  bool may_leave_sources();
+  void open_page(const QString& page);
+  void open_page_of_selected();
   void show_past();
   void list_events(QMenu* menu);
   void begin_anew(quint64 seed);
@@ -189,6 +204,8 @@ class MainWindow : public QMainWindow {
   Exporter* exporter_;
   QStackedWidget* centre_;
   SceneView* scene_;
+  RunCard* run_card_;
+  StuckNotice* stuck_notice_;
   StartPage* start_;
   TimeLine* time_line_;
   ControlBar* control_bar_;
@@ -204,7 +221,7 @@ class MainWindow : public QMainWindow {
   QSet<QString> idle_teams_;  // usual ones whose windows give way
   struct Docks {
     QDockWidget *world, *properties, *coordination, *plots, *text, *problems, *vision, *fuzzy,
-        *sensors, *graph;
+        *sensors, *graph, *source;
   };
   QSet<QDockWidget*> away_;           // not closed by the user, but empty
   QSet<QDockWidget*> filled_;         // have had something to show in this world
@@ -224,6 +241,12 @@ class MainWindow : public QMainWindow {
   FuzzyPanel* fuzzy_;
   SensorsPanel* sensors_;
   GraphPanel* graph_;
+  SourcesPanel* sources_;
+  /// New behaviours by their sources, and the robots that get them once they are loaded.
+  struct ToRobot {
+    QString name, robot;
+  };
+  QHash<QString, ToRobot> to_robots_;
   /// The commands that are used outside of their menus, in the order of these.
   struct Actions {
     QAction *new_world, *open, *save;

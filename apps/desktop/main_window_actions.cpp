@@ -17,6 +17,7 @@
 #include "export/exporter.h"
 #include "look/icons.h"
 #include "main_window.h"
+#include "new_world.h"
 #include "scene/scene_view.h"
 #include "shortcuts.h"
 #include "start_page.h"
@@ -80,8 +81,9 @@ void MainWindow::make_menus() {
 }
 
 void MainWindow::fill_file_menu(QMenu* menu) {
-  actions_.new_world = command(menu, nullptr, "new", tr("&New world..."), QKeySequence::New,
-                               [this] { begin_world([this] { return ask_for_new_world(this); }); });
+  actions_.new_world = command(
+      menu, nullptr, "new", tr("&New world"), QKeySequence::New, [this] { begin_world(new_world); },
+      tr("A room in which a robot collects four resources"));
   actions_.new_world->setIconText(tr("New"));
   actions_.open = command(menu, nullptr, "open", tr("&Open..."), QKeySequence::Open, [this] {
     const QString file =
@@ -177,6 +179,9 @@ void MainWindow::fill_add_menu(QMenu* menu) {
       "coordinator", tr("C&oordinator..."),
       [this] { authoring_->add_element(authoring_->robot(), "coordinator"); },
       tr("Choose or edit the coordinator of the selected robot"));
+  add(
+      "write_behavior", tr("Ne&w behaviour..."), [this] { write_behavior(); },
+      tr("Writes a behaviour in C++ or Python, loads it, and opens its source"));
   menu->addSeparator();
   for (const Authoring::Obstacle& each : Authoring::obstacles()) {
     QString title = each.text + "...";
@@ -287,6 +292,9 @@ void MainWindow::fill_simulation_menu(QMenu* menu) {
   actions_.step = add("step", tr("&Step"), key("F10"), [this] { workbench_.step(); });
   actions_.reset =
       add("reset", tr("R&eset"), key("Ctrl+R"), [this] { workbench_.reset(workbench_.seed()); });
+  add(
+      "show_end", tr("Sho&w the end of the run"), {}, [this] { show_end(); },
+      tr("Outcome, collected, distance, collisions, state hash, and why it failed"));
   menu->addSeparator();
   QMenu* events = menu->addMenu(tr("&Go to an event"));
   events->setObjectName("events_menu");
@@ -309,6 +317,13 @@ void MainWindow::fill_simulation_menu(QMenu* menu) {
 }
 
 void MainWindow::fill_help_menu(QMenu* menu) {
+  command(menu, nullptr, "tutorial", tr("&Tutorial"), {},
+          [this] { open_page("tutorial/1-your-first-behavior.md"); });
+  command(
+      menu, nullptr, "page_of_selected", tr("&Page of the selection"), {},
+      [this] { open_page_of_selected(); },
+      tr("The page of the documentation about the selected behaviour, coordinator or sensor"));
+  menu->addSeparator();
   command(menu, nullptr, "commands", tr("&Commands..."), key("Ctrl+Shift+P"), [this] {
     ask_for_command();
   })->setIcon(icon("command"));

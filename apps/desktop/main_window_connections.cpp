@@ -20,12 +20,13 @@
 #include "scene/scene_view.h"
 #include "start_page.h"
 #include "text/problems_panel.h"
-#include "text/source_window.h"
+#include "text/sources_panel.h"
 #include "text/world_editor.h"
 #include "watch/coordination_panel.h"
 #include "watch/fuzzy_panel.h"
 #include "watch/graph_panel.h"
 #include "watch/plots_panel.h"
+#include "watch/run_card.h"
 #include "watch/sensors_panel.h"
 #include "watch/vision_panel.h"
 #include "world/form.h"
@@ -210,6 +211,46 @@ void MainWindow::connect_views() {
           [this](const QString& why) { warn(this, tr("The run cannot be opened"), why); });
 }
 
+void MainWindow::connect_cards() {
+  connect(&workbench_, &Workbench::stuck, stuck_notice_, &StuckNotice::take);
+  connect(&workbench_, &Workbench::snapshot, this,
+          [this] { stuck_notice_->show_time(workbench_.latest_s()); });
+  connect(&workbench_, &Workbench::ended, this, [this](const Json& end) {
+    stuck_notice_->clear();
+    run_card_->show_end(end);
+  });
+  connect(&workbench_, &Workbench::run_changed, this, [this] {
+    const Workbench::Run state = workbench_.run_state();
+    if (state == Workbench::Run::none || state == Workbench::Run::ready) {
+      stuck_notice_->clear();
+      run_card_->hide();
+    }
+  });
+  connect(stuck_notice_, &StuckNotice::robot_wished, this,
+          [this](const QString& id) { authoring_->select({"robot[" + id + ']'}); });
+  connect(run_card_, &RunCard::again_wished, this, [this] { run_with(workbench_.seed()); });
+  connect(run_card_, &RunCard::next_wished, this, [this] { run_with(workbench_.seed() + 1); });
+  connect(run_card_, &RunCard::said, this, &MainWindow::say);
+  connect(&workbench_, &Workbench::plugins_changed, this, &MainWindow::take_plugins);
+  connect(sources_, &SourcesPanel::failed, this,
+          [this](const QString& why) { warn(this, tr("Source"), why, "source_failed"); });
+}
+
+void MainWindow::show_end() {
+  if (workbench_.run_state() != Workbench::Run::ended) {
+    say(tr("The run has not ended."));
+    return;
+  }
+  run_card_->open();
+  run_card_->setFocus();
+}
+
+void MainWindow::run_with(quint64 seed) {
+  workbench_.reset(seed);
+  workbench_.run();
+  scene_->setFocus();
+}
+
 void MainWindow::enter_what_is_typed() {
   editor_->commit();
   properties_->form().finish();
@@ -242,6 +283,7 @@ void MainWindow::show_problems() {
   docks_.problems->setWindowTitle(all.empty() ? tr("Errors") : tr("Errors (%1)").arg(all.size()));
   std::erase_if(all, [this](const Problem& each) { return !is_of_world(each.file); });
   editor_->set_problems(all);
+  sources_->set_problems(problems_shown_);
   scene_->set_notice(notice());
   if (has_news && !editor_->hasFocus()) {
     docks_.problems->show();
@@ -268,8 +310,7 @@ QString MainWindow::notice() const {
 
 void MainWindow::go_to(const QString& file, int line) {
   if (!is_of_world(file)) {
-    const QString why = SourceWindow::show(file, line, this);
-    if (!why.isEmpty()) say(why);
+    open_source(file, line);
     return;
   }
   docks_.text->show();
@@ -334,6 +375,7 @@ void MainWindow::watch() {
     what.push_back("fuzzy");
   }
   ask_for_fillings(what);
+  what.push_back("stuck");
   if (scene_->stage().has_fields()) what.push_back("fields");
   if (scene_->stage().has_actuators()) what.push_back("lights");
   Json robots = Json::array();  // none: all

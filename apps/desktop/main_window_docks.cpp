@@ -16,6 +16,7 @@
 #include "main_window.h"
 #include "scene/scene_view.h"
 #include "text/problems_panel.h"
+#include "text/sources_panel.h"
 #include "text/world_editor.h"
 #include "watch/coordination_panel.h"
 #include "watch/fuzzy_panel.h"
@@ -98,6 +99,9 @@ void MainWindow::make_docks() {
   docks_.fuzzy = dock("fuzzy", tr("Fuzzy"), fuzzy_, Qt::RightDockWidgetArea);
   docks_.sensors = dock("sensors", tr("Sensors"), sensors_, Qt::RightDockWidgetArea);
   docks_.graph = dock("graph", tr("Graph"), graph_, Qt::RightDockWidgetArea);
+  sources_ = new SourcesPanel;
+  docks_.source = dock("source", tr("Source"), sources_, Qt::RightDockWidgetArea);
+  docks_.source->hide();
   for (QDockWidget* each : {docks_.coordination, docks_.plots, docks_.vision, docks_.fuzzy,
                             docks_.sensors, docks_.graph}) {
     // A dock behind another one also counts as "visible".

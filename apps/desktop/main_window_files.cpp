@@ -246,7 +246,7 @@ void MainWindow::ask_about_disk() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!may_leave()) {
+  if (!may_leave() || !may_leave_sources()) {
     event->ignore();
     return;
   }

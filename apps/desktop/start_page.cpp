@@ -2,15 +2,11 @@
 
 #include <QCryptographicHash>
 #include <QDateTime>
-#include <QDialog>
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QListWidget>
 #include <QPainter>
 #include <QPixmap>
@@ -221,8 +217,9 @@ StartPage::StartPage(const QString& worlds, QString elsie, QWidget* parent)
     buttons->addWidget(made);
     return made;
   };
-  auto* fresh = button("new_world", "new", tr("&New world..."));
+  auto* fresh = button("new_world", "new", tr("&New world"));
   auto* empty = button("empty_world", "world", tr("E&mpty world"));
+  fresh->setToolTip(tr("A room in which a robot collects four resources"));
   empty->setToolTip(tr("Four walls, 5 m by 5 m, and nothing in them"));
   auto* browse = button("open_world", "open", tr("&Open..."));
   buttons->addStretch(1);
@@ -358,72 +355,6 @@ QString empty_world() {
   <limits time="300"/>
 </world>
 )";
-}
-
-QString ask_for_new_world(QWidget* parent) {
-  QDialog dialog(parent);
-  dialog.setObjectName("new_world_dialog");
-  dialog.setWindowTitle(StartPage::tr("New world"));
-  auto* form = new QFormLayout(&dialog);
-  auto* name = new QLineEdit(StartPage::tr("my world"));
-  name->setObjectName("name");
-  const auto length = [&](const char* object) {
-    auto* box = new NumberBox;
-    box->setObjectName(object);
-    box->setRange(0.5, 1000.0);
-    box->setDecimals(2);
-    box->setValue(5.0);
-    box->setSuffix(" m");
-    return box;
-  };
-  auto* along = length("length");
-  auto* across = length("width");
-  auto* boxes = new CountBox;
-  boxes->setObjectName("boxes");
-  boxes->setRange(0, 12);
-  boxes->setValue(4);
-  auto* resources = new CountBox;
-  resources->setObjectName("resources");
-  resources->setRange(0, 4);
-  form->addRow(StartPage::tr("&Name"), name);
-  form->addRow(StartPage::tr("&Length (x)"), along);
-  form->addRow(StartPage::tr("&Width (y)"), across);
-  form->addRow(StartPage::tr("&Boxes, in a ring"), boxes);
-  form->addRow(StartPage::tr("&Resources, in the corners"), resources);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-  buttons->setObjectName("buttons");
-  form->addRow(buttons);
-  QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
-  QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
-  if (dialog.exec() != QDialog::Accepted) {
-    return {};
-  }
-  const auto number = [](double value) {
-    return QString::number(std::round(100.0 * value) / 100.0);
-  };
-  QString text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<world format=\"1\" name=\"" +
-                 escaped(name->text()) + "\">\n  <arena length=\"" + number(along->value()) +
-                 "\" width=\"" + number(across->value()) + "\"/>\n";
-  if (boxes->value() > 0) {
-    text += "  <obstacles>\n";
-    const double radius = 0.3 * std::min(along->value(), across->value());
-    for (int i = 0; i < boxes->value(); ++i) {
-      const double angle = 2.0 * M_PI * (i + 0.5) / boxes->value();
-      text += "    <static_box x=\"" + number(radius * std::cos(angle)) + "\" y=\"" +
-              number(radius * std::sin(angle)) + "\"/>\n";
-    }
-    text += "  </obstacles>\n";
-  }
-  if (resources->value() > 0) {
-    text += "  <resources>\n";
-    for (int i = 0; i < resources->value(); ++i) {
-      const double x = (i % 2 == 0 ? 0.4 : -0.4) * along->value(),
-                   y = (i < 2 ? 0.4 : -0.4) * across->value();
-      text += "    <resource x=\"" + number(x) + "\" y=\"" + number(y) + "\"/>\n";
-    }
-    text += "  </resources>\n";
-  }
-  return text + "  <limits time=\"300\"/>\n</world>\n";
 }
 
 }  // namespace elsie::desktop

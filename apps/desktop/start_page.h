@@ -46,7 +46,4 @@ class StartPage : public QWidget {
 /// The text of a world with only four walls.
 QString empty_world();
 
-/// Asks for the size and the contents of a new world. Returns its text, or "" if the user cancels.
-QString ask_for_new_world(QWidget* parent);
-
 }  // namespace elsie::desktop

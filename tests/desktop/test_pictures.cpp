@@ -160,14 +160,12 @@ TEST_CASE("Pictures: obstacles of all forms", "[.pictures]") {
   keep_dialog(window, "add_prism", "dialog_prism");
 }
 
-TEST_CASE("Pictures: errors, teams, keys and the wizard", "[.pictures]") {
+TEST_CASE("Pictures: errors, teams, keys and the new world", "[.pictures]") {
   Window window;
   resize(window);
-  at_dialog("new_world_dialog", [](QDialog* dialog) {
-    keep(*dialog, "dialog_new_world");
-    dialog->reject();
-  });
-  window.act("new");
+  window.after([&] { window.act("new"); });
+  resize(window);
+  keep(window.window(), "new_world");
   keep_dialog(window, "shortcuts", "dialog_keys");
   window.open(
       window.file("<world format=\"1\">\n  <robots>\n    <robot id=\"a\" speed=\"1\"/>\n"
@@ -321,4 +319,50 @@ TEST_CASE("Pictures: a recording, a network that has learned, a list and a lock"
       ->tree()
       ->setCurrentItem(window.get<WorldTree>("world_tree")->item(robot)->parent());
   keep(window.window(), "list_and_lock");
+}
+
+TEST_CASE("Pictures: the end of a run, a robot that is stuck, and a behaviour that is written",
+          "[.pictures]") {
+  Window window;
+  resize(window);
+  window.after([&] { window.act("new"); });
+  window.run_to_the_end();
+  window->scene().show_all();
+  keep(window.window(), "run_card_success");
+  window.open(window.file(R"(<world format="1">
+  <arena length="5" width="5"/>
+  <obstacles><static_box id="block" x="0.4"/></obstacles>
+  <resources><resource x="1.5"/></resources>
+  <robots>
+    <robot id="r1" team="red" x="-1.5">
+      <sensors><beam_range/></sensors>
+      <behaviors><go_to_point id="back" x="-2" y="0"/><go_to_point id="ahead" x="1.5" y="0"/></behaviors>
+      <coordinator><fusion_vector_summation/></coordinator>
+    </robot>
+  </robots>
+  <goals><collect/></goals>
+  <limits time="40"/>
+</world>
+)"));
+  resize(window);
+  run_until(window, 25.0);
+  keep(window.window(), "stuck_notice");
+  window.run_to_the_end();
+  keep(window.window(), "run_card_failure");
+  window.choose("robot[r1]");
+  window.act("write_behavior");
+  auto* dialog = window.dialog("new_behavior_dialog");
+  dialog->findChild<QLineEdit*>("behavior_folder")->setText(window.folder());
+  dialog->findChild<QLineEdit*>("behavior_name")->setText("steady");
+  keep(*dialog, "dialog_new_behavior");
+  window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
+  REQUIRE(wait_for([&] { return window.bench().text().contains("<steady/>"); }));
+  keep(window.window(), "source");
+  for (const char* action : {"export_film", "export_picture"}) {
+    keep_modal(QString("dialog_") + action, [](QDialog* modal) { modal->reject(); });
+    window.act(action);
+  }
+  window.choose("robot[r1]/behavior[steady]");
+  window.act("tutorial");
+  keep(*window.dialog("help_window"), "help");
 }

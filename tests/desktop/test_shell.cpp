@@ -14,9 +14,9 @@
 #include "look/language.h"
 #include "look/theme.h"
 #include "scene/scene_view.h"
+#include "text/code_editor.h"
 #include "text/problems_panel.h"
-#include "text/source_window.h"
-#include "text/world_editor.h"
+#include "text/sources_panel.h"
 #include "world/words.h"
 
 using namespace elsie::desktop;
@@ -198,13 +198,12 @@ TEST_CASE("A compiler's lines are below its error, in a fixed font, and lead to 
   CHECK(error->child(1)->text(0) == "    2 | second");
   CHECK(QFontInfo(error->child(0)->font(0)).fixedPitch());
   Q_EMIT list->itemDoubleClicked(error->child(0), 0);
-  auto* shown = window->findChild<SourceWindow*>();
-  REQUIRE(shown);
-  auto* text = shown->findChild<WorldEditor*>();
+  auto* shown = window->findChild<SourcesPanel*>();
+  REQUIRE(shown->has(source));
+  auto* text = shown->findChild<CodeEditor*>("source_text");
   CHECK(text->textCursor().blockNumber() == 1);
   text->insertPlainText("my ");
-  CHECK(shown->isWindowModified());
-  CHECK(shown->save());
+  CHECK(shown->modified() == QStringList{source});
+  CHECK(shown->save_all().isEmpty());
   CHECK(bytes_of(source) == "first\nmy second\nthird\n");
-  CHECK(shown->close());
 }

@@ -34,6 +34,8 @@ class Engine : public QObject {
 
   const QString& program() const { return program_; }
   const QStringList& options() const { return options_; }
+  /// Those of the next start.
+  void set_options(const QStringList& options) { options_ = options; }
 
   /// Starts the process; one that is running ends in the background. Throws base::Error if the
   /// program cannot be started.

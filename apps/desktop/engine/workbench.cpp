@@ -9,6 +9,8 @@
 
 #include "elsie/base/error.h"
 
+#include "engine/compiler_messages.h"
+
 // The engine and its messages.
 
 namespace elsie::desktop {
@@ -183,6 +185,8 @@ void Workbench::heard(const Json& event) {
   const std::string what = event.value("event", std::string());
   if (what == "state") {
     if (is_current(event.value("epoch", epoch_))) Q_EMIT state(event);
+  } else if (what == "stuck") {
+    if (is_current(event.value("epoch", epoch_))) Q_EMIT stuck(event);
   } else if (what == "note") {
     Q_EMIT noted(text_of(event, "text"));
   } else if (what == "raised") {
@@ -195,10 +199,9 @@ void Workbench::heard(const Json& event) {
     Q_EMIT ended(event);
   } else if (what == "plugins") {
     plugin_problems_.clear();
-    for (const Json& each : event.value("problems", Json::array())) {
-      if (each.is_string()) {
-        plugin_problems_.push_back({{}, 0, QString::fromStdString(each.get<std::string>())});
-      }
+    for (const Json& each : member(event, "problems")) {
+      const Problems found = problems_in(written(each));
+      plugin_problems_.insert(plugin_problems_.end(), found.begin(), found.end());
     }
     load_catalog();
     if (event.contains("tree")) {
@@ -206,7 +209,45 @@ void Workbench::heard(const Json& event) {
     } else {
       Q_EMIT problems_changed();
     }
+    take_plugins(event);
   }
+}
+
+/// A plugin that was to be added is there, or is refused; or others have changed.
+void Workbench::take_plugins(const Json& event) {
+  const auto names = [&event](const char* list) {
+    QStringList files;
+    for (const Json& each : member(event, list)) files << written(each);
+    return files;
+  };
+  const QStringList files = names("files"), kept = names("kept");
+  if (!awaited_.isEmpty() && (files.contains(awaited_) || kept.contains(awaited_))) {
+    const bool is_used = files.contains(std::exchange(awaited_, QString()));
+    end_change(is_used ? Problems() : plugin_problems_);
+  }
+  Q_EMIT plugins_changed(files, kept);
+}
+
+void Workbench::add_plugin(const QString& file, QObject* receiver, Done done) {
+  Q_EMIT about_to_change();
+  deaths_ = 0;
+  in_turn(
+      [this, file] {
+        const QStringList option{QStringLiteral("--draft"), file};
+        if (engine_.options().contains(file)) {
+          end_change();
+          return;
+        }
+        engine_.set_options(engine_.options() + option);
+        awaited_ = file;
+        order({{"do", "plugin"}, {"file", file.toStdString()}}, [this](const Json& answer) {
+          if (answer.contains("refused")) {
+            awaited_.clear();
+            end_change(problems_of(answer));
+          }  // otherwise an event says how it went
+        });
+      },
+      false, receiver, std::move(done));
 }
 
 /// Keeps the world as a text only, because no engine accepts it.
@@ -220,6 +261,12 @@ void Workbench::keep_as_text(const QString& why) {
 
 void Workbench::lost(int exit_code, const QString& report) {
   ++deaths_;
+  if (!awaited_.isEmpty()) {  // it may end every engine that loads it
+    QStringList options = engine_.options();
+    options.remove(options.indexOf(awaited_) - 1, 2);
+    engine_.set_options(options);
+    awaited_.clear();
+  }
   const bool was_stopped = std::exchange(is_stopping_, false);
   const QString said = !report.trimmed().isEmpty() ? report.trimmed()
                        : was_stopped               ? tr("No plugin was active.")

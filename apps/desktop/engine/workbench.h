@@ -103,6 +103,10 @@ class Workbench : public QObject {
   void type(const QString& text);
   void undo();
   void redo();
+  /// Adds a plugin, the source of one, or a script, which the engine then follows: what is saved is
+  /// loaded. Reports once it is loaded or refused; one that is refused is loaded as soon as it is
+  /// right.
+  void add_plugin(const QString& file, QObject* receiver, Done done);
   QString undo_name() const;  // "" if there is nothing
   QString redo_name() const;
   /// @}
@@ -152,11 +156,14 @@ class Workbench : public QObject {
   void noted(const QString& note);
   void raised(const elsie::desktop::Json& event);
   void ended(const elsie::desktop::Json& end);
+  void stuck(const elsie::desktop::Json& event);  // robots that stand still
   /// The engine ended, by stop_engine() or by itself. It was started again with the same world,
   /// unless engine().is_there() is false; the report says what its plugin did. Waiting edits are
   /// made again; `not_made` has the names of those that are given up.
   void engine_lost(const QString& report, bool was_stopped, const QStringList& not_made);
   void changed_on_disk();
+  /// The engine uses new versions of these files; of `kept` the old versions, or none.
+  void plugins_changed(const QStringList& files, const QStringList& kept);
 
  private:
   struct Change {
@@ -170,6 +177,7 @@ class Workbench : public QObject {
 
   void start_engine();
   void load_catalog();
+  void take_plugins(const Json& event);
   void heard(const Json& event);
   void lost(int exit_code, const QString& report);
   void keep_as_text(const QString& why);
@@ -225,6 +233,7 @@ class Workbench : public QObject {
   History history_;
   std::deque<Change> changes_;  // the first is under way if is_changing_
   bool is_changing_ = false;
+  QString awaited_;         // the plugin that the engine is to add
   int turn_ = 0;            // counts beginnings and ends of changes
   QString under_way_;       // the text that the engine is reading
   bool had_world_ = false;  // the engine has had a world: plugins may have threads in it

@@ -222,14 +222,13 @@ void SceneView::resizeEvent(QResizeEvent* event) {
 
 bool SceneView::is_dark() const { return palette().color(QPalette::Window).lightness() < 128; }
 
-void SceneView::compose() {
+void SceneView::compose(double ratio) {
   is_stale_ = can_wait_ = false;
   drawn_ago_.start();
   drawn_overlays_ = overlays_;
   drawn_sensor_ = selection_.value(0);
   refining_.stop();
   if (!photograph_.is_possible()) return;
-  const double ratio = devicePixelRatioF();
   const int width = std::max(1, static_cast<int>(this->width() * ratio));
   const int height = std::max(1, static_cast<int>(this->height() * ratio));
   render::Scene scene = stage_.drawn();
@@ -283,7 +282,7 @@ void SceneView::paintEvent(QPaintEvent*) {
   constexpr qint64 kApart_ms = 25;
   const qint64 wait_ms = can_wait_ ? kApart_ms - drawn_ago_.elapsed() : 0;
   if (drawn_overlays_ != overlays_ || (is_stale_ && wait_ms <= 0)) {
-    compose();
+    compose(devicePixelRatioF());
   } else if (is_stale_ && !pacing_.isActive()) {
     pacing_.start(static_cast<int>(wait_ms));
   }
@@ -291,14 +290,16 @@ void SceneView::paintEvent(QPaintEvent*) {
   paint(painter, true);
 }
 
-QImage SceneView::picture(int passes) {
-  compose();
+QImage SceneView::picture(int passes, double ratio) {
+  if (ratio <= 0.0) ratio = devicePixelRatioF();
+  compose(ratio);
   while (photograph_.is_possible() && photograph_.refined() < passes) photograph_.refine();
   if (photograph_.is_possible()) photograph_.develop();
-  QImage image(size() * devicePixelRatioF(), QImage::Format_RGB32);
-  image.setDevicePixelRatio(devicePixelRatioF());
+  QImage image((QSizeF(size()) * ratio).toSize(), QImage::Format_RGB32);
+  image.setDevicePixelRatio(ratio);
   QPainter painter(&image);
   paint(painter, false);
+  is_stale_ = ratio != devicePixelRatioF();
   return image;
 }
 
@@ -309,7 +310,7 @@ void SceneView::paint(QPainter& painter, bool with_handles) {
     painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, notice_);
     return;
   }
-  const double ratio = devicePixelRatioF();
+  const double ratio = painter.device()->devicePixelRatioF();
   const QImage trails = overlays_.trails ? trails_.paint(stage_, camera_, size(), ratio) : QImage();
   const bool is_drawn = photograph_.is_possible() && !photograph_.image().isNull();
   if (is_drawn) {

@@ -87,8 +87,9 @@ class SceneView : public QWidget {
 
   /// The number of passes of a picture that is kept, and of a film's.
   static constexpr int kPicture = 2 * render::kFinished, kFilm = 4;
-  /// A picture of the view without handles, of as many passes.
-  QImage picture(int passes = kPicture);
+  /// A picture of the view without handles, of as many passes, with so many pixels for each of the
+  /// widget's; 0: as on the screen.
+  QImage picture(int passes = kPicture, double ratio = 0.0);
   /// What is seen of the world without lines and words.
   const Photograph& photograph() const { return photograph_; }
   /// The names that are drawn: as many as there is room for, those nearest to the camera first.
@@ -138,7 +139,7 @@ class SceneView : public QWidget {
     std::optional<Vector3> size;
   };
 
-  void compose();
+  void compose(double ratio);
   void refine();
   void follow_robot();
   void leave_seat();

@@ -191,7 +191,8 @@ void SourcesPanel::save(SourceEditor* editor) {
     Q_EMIT failed(why);
     return;
   }
-  editor->say(tr("Saved. The engine loads it..."));
+  const bool is_template = editor->file().endsWith(QLatin1String(".xml"));
+  editor->say(is_template ? tr("Saved.") : tr("Saved. The engine loads it..."));
 }
 
 void SourcesPanel::go_to(const QString& file, int line) {

@@ -1,0 +1,28 @@
+// What is asked before a picture or a film is written.
+#pragma once
+
+#include <QSize>
+#include <QString>
+#include <optional>
+
+class QWidget;
+
+namespace elsie::desktop {
+
+struct FilmChoice {
+  QString ending = QStringLiteral("avi");
+  QSize size;          // of its pictures
+  double speed = 1.0;  // simulated seconds per second of the film
+};
+/// `shown`: the size of the view. None: the user cancels.
+std::optional<FilmChoice> ask_for_film(const QSize& shown, double run_s, QWidget* parent);
+
+struct PictureChoice {
+  bool is_from_above = false;  // drawn; otherwise what the view shows
+  QString ending = QStringLiteral("png");
+  QSize size;  // pixels; from above only the width counts
+  int dpi = 96;
+};
+std::optional<PictureChoice> ask_for_picture(const QSize& shown, QWidget* parent);
+
+}  // namespace elsie::desktop

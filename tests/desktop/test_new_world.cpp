@@ -1,0 +1,154 @@
+// A new world that succeeds, behaviours that are written in the window, and pages of help.
+#include <QComboBox>
+#include <QDir>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMessageBox>
+#include <QTabWidget>
+#include <QTextBrowser>
+#include <QTreeWidget>
+
+#include "hands.h"
+#include "new_world.h"
+#include "text/code_editor.h"
+#include "text/sources_panel.h"
+
+using namespace elsie::desktop;
+
+namespace {
+
+QDialog* new_behavior(Window& window, const QString& name, int language) {
+  window.act("write_behavior");
+  auto* dialog = window.dialog("new_behavior_dialog");
+  dialog->findChild<QLineEdit*>("behavior_folder")->setText(window.folder());
+  dialog->findChild<QComboBox*>("behavior_language")->setCurrentIndex(language);
+  type_over(dialog->findChild<QLineEdit*>("behavior_name"), name);
+  return dialog;
+}
+
+/// What the dialog refuses, in its words.
+QString refused_in(QDialog* dialog) {
+  auto* warning = dialog->findChild<QLabel*>("behavior_warning");
+  Window::press(dialog, QDialogButtonBox::Ok);
+  REQUIRE(wait_for([&] { return warning->isVisible() && !warning->text().isEmpty(); }));
+  return warning->text();
+}
+
+}  // namespace
+
+TEST_CASE("New world is there at once, and its robot collects all with each of ten seeds") {
+  Window window;
+  window.after([&] { window.act("new"); });
+  CHECK(window->findChildren<QDialog*>().isEmpty());
+  CHECK(window.bench().text() == new_world());
+  CHECK(window.bench().problems().empty());
+  CHECK_FALSE(window->isWindowModified());
+  const QString file = window.file(new_world().toUtf8().constData(), "new.xml");
+  for (int seed = 1; seed <= 10; ++seed) {
+    const Json run = headless({file, "--seed", QString::number(seed), "--duration", "120"});
+    INFO(seed);
+    CHECK(run.at("outcome") == "success");
+  }
+}
+
+TEST_CASE("A behaviour is written, compiled, loaded and given to the selected robot") {
+  Room window;
+  window.choose("robot[r1]");
+  auto* dialog = new_behavior(window, "Steady Pace", 0);
+  CHECK(refused_in(dialog).contains("'Steady Pace' is not a name for a plugin"));
+  type_over(dialog->findChild<QLineEdit*>("behavior_name"), "wander");
+  CHECK(refused_in(dialog).contains("there is a behavior 'wander' already", Qt::CaseInsensitive));
+  QDir(window.folder()).mkdir("steady");
+  type_over(dialog->findChild<QLineEdit*>("behavior_name"), "steady");
+  CHECK(refused_in(dialog).contains("exists already"));
+  dialog->findChild<QLineEdit*>("behavior_folder")->setText("/proc");
+  CHECK(refused_in(dialog).contains("cannot be made"));
+  QDir(window.folder()).rmdir("steady");
+  dialog->findChild<QLineEdit*>("behavior_folder")->setText(window.folder());
+  Window::press(dialog, QDialogButtonBox::Ok);
+  window.await_closed("new_behavior_dialog");
+  auto* text = window.get<CodeEditor>("source_text");
+  CHECK(text->whole_text().contains("ELSIE_BEHAVIOR(Steady, \"steady\""));
+  CHECK(window.get<QDockWidget>("dock_source")->isVisible());
+  REQUIRE(wait_for([&] { return window.bench().text().contains("<steady/>"); }));
+  window.step();
+
+  // What is saved with an error is listed, with its line; the old version stays.
+  const QString right = text->whole_text();
+  const QString wrong = QString(right).replace("double speed = 10.0;", "double speed = 10.0");
+  const qsizetype line = right.left(right.indexOf("double speed")).count('\n') + 1;
+  text->selectAll();
+  text->insertPlainText(wrong);
+  text->setFocus();
+  press_key(text, Qt::Key_S, Qt::ControlModifier);
+  auto* list = window.get<QTreeWidget>("problems");
+  REQUIRE(wait_for([&] { return list->topLevelItemCount() > 0; }));
+  CHECK(list->topLevelItem(0)->text(2) == "steady.cpp");
+  CHECK(list->topLevelItem(0)->text(1) == QString::number(line));
+  CHECK(window.get<QLabel>("source_state")->text().contains("Not loaded"));
+  text->go_to(1);
+  window.act("next_problem");
+  CHECK(text->textCursor().blockNumber() + 1 == line);
+  window.step();
+  text->selectAll();
+  text->insertPlainText(right + "\n// again\n");
+  press_key(text, Qt::Key_S, Qt::ControlModifier);
+  REQUIRE(wait_for([&] { return list->topLevelItemCount() == 0; }));
+  CHECK(window.get<QLabel>("source_state")->text().contains("Loaded"));
+
+  // Another engine has it, too.
+  window.after([&] { window.open(window.file(window.bench().text().toUtf8(), "other.xml")); });
+  CHECK(window.bench().is_right());
+  CHECK(window.bench().text().contains("<steady/>"));
+}
+
+TEST_CASE("A behaviour in Python is loaded at once") {
+  Room window;
+  window.choose("robot[r1]");
+  Window::press(new_behavior(window, "calm", 1), QDialogButtonBox::Ok);
+  REQUIRE(wait_for([&] { return window.bench().text().contains("<calm/>"); }));
+  CHECK(window.get<CodeEditor>("source_text")->whole_text().contains("class Calm"));
+  window.step();
+}
+
+TEST_CASE(
+    "Without a compiler, a behaviour in C++ is written, and a sentence says what is missing") {
+  const QByteArray before = qgetenv("CXX");
+  qputenv("CXX", "/no/such/compiler");
+  {
+    Room window;
+    window.choose("robot[r1]");
+    Window::press(new_behavior(window, "steady", 0), QDialogButtonBox::Ok);
+    auto* list = window.get<QTreeWidget>("problems");
+    REQUIRE(wait_for([&] { return list->topLevelItemCount() > 0; }));
+    CHECK(list->topLevelItem(0)->text(0).contains("/no/such/compiler"));
+    CHECK(window.get<QLabel>("source_state")->text().contains("Not loaded"));
+    CHECK_FALSE(window.bench().text().contains("steady"));
+  }
+  before.isEmpty() ? qunsetenv("CXX") : qputenv("CXX", before);
+}
+
+TEST_CASE("A source that is not saved is asked about before the window closes") {
+  Room window;
+  const QString source = window.file("// mine\n", "mine.cpp");
+  auto* sources = window->findChild<SourcesPanel*>();
+  REQUIRE(sources->open(source).isEmpty());
+  window.get<CodeEditor>("source_text")->insertPlainText("// more\n");
+  CHECK(window.get<QTabWidget>("source_tabs")->tabText(0) == "mine.cpp*");
+  window.answer = MainWindow::Answer::cancel;
+  CHECK_FALSE(window->close());
+  window.answer = MainWindow::Answer::save;
+  CHECK(window->close());
+  CHECK(bytes_of(source) == "// more\n// mine\n");
+}
+
+TEST_CASE("Help opens the tutorial and the page of the selected plugin, without a network") {
+  Room window;
+  window.act("tutorial");
+  auto* text = window.get<QTextBrowser>("help_text");
+  CHECK(text->toPlainText().contains("Your first behaviour"));
+  window.choose("robot[r1]/behavior[wander]");
+  window.act("page_of_selected");
+  CHECK(text->toPlainText().startsWith("wander"));
+  CHECK(text->source().isLocalFile());
+}
