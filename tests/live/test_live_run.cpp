@@ -213,11 +213,15 @@ TEST_CASE("A client that does not read loses pictures, and the run nothing") {
   world::World world = one_robot();
   world.limits.time = 60;
   const std::uint64_t end_ns = 60'000'000'000;
+  std::unique_ptr<Client> stuck;  // never reads, and outlives the show, whose end does not wait
   Show show(world, 1e6, restless.host);
+  stuck = std::make_unique<Client>(show.port());
   Client slow(show.port()), driver(show.port());
   const auto ids = ids_of(slow, {"/tf", "/robots/r1/trace"});
-  slow.subscribe(1, ids.at("/tf"));
-  slow.subscribe(2, ids.at("/robots/r1/trace"));
+  for (Client* const client : {stuck.get(), &slow}) {
+    client->subscribe(1, ids.at("/tf"));
+    client->subscribe(2, ids.at("/robots/r1/trace"));
+  }
   show.result();
   // From the start again and again, until neither sockets nor queue have room for more.
   for (int i = 0; show.counts().dropped == 0; ++i) {
