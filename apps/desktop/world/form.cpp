@@ -261,7 +261,6 @@ Form::Row Form::make_row(const Field& field) {
   }
   row.live = new QLabel;
   row.live->setObjectName(name + "_live");
-  row.live->setIndent(fontMetrics().averageCharWidth());
   row.live->setWordWrap(true);
   row.live->hide();
   row.reset = new QToolButton;
