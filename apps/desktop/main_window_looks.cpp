@@ -58,12 +58,16 @@ void MainWindow::fill_tool_bars() {
 void MainWindow::fit_tool_bars() {
   if (worded_px_ == 0) {
     environment_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    worded_px_ = environment_->sizeHint().width();
+    for (QAction* each : environment_->actions()) {
+      QWidget* tool = environment_->widgetForAction(each);
+      tool->ensurePolished();
+      worded_px_ += tool->sizeHint().width() + fontMetrics().averageCharWidth();
+    }
   }
   const bool is_below = toolBarBreak(environment_) || environment_->isFloating() ||
                         toolBarArea(environment_) != toolBarArea(tools_);
   const int others = is_below ? 0 : tools_->sizeHint().width();
-  const int room = width() - others - fontMetrics().height();
+  const int room = width() - others - 2 * fontMetrics().height();  // for the handles
   environment_->setToolButtonStyle(worded_px_ <= room ? Qt::ToolButtonTextBesideIcon
                                                       : Qt::ToolButtonIconOnly);
 }

@@ -31,7 +31,7 @@ namespace {
 constexpr int kFile = Qt::UserRole;
 constexpr int kAbout = Qt::UserRole + 1;
 constexpr int kDelay_ms = 300;
-constexpr int kNarrowest_em = 26;  // of a card
+constexpr int kNarrowest_em = 36;  // of a card
 constexpr int kLines = 3;          // of the sentence on a card
 /// The examples to begin with.
 const QStringList kFirst{"four_resources", "ten_robots", "clutter", "maze",   "flock",
@@ -84,7 +84,7 @@ class CardDelegate : public QStyledItemDelegate {
   using QStyledItemDelegate::QStyledItemDelegate;
 
   static int height(const QFontMetrics& metrics, int width) {
-    return picture_height(width) + metrics.lineSpacing() * (kLines + 1) + 4 * metrics.height();
+    return picture_height(width) + metrics.lineSpacing() * (kLines + 1) + 3 * metrics.height();
   }
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override {
     const auto* list = qobject_cast<const QListView*>(option.widget);

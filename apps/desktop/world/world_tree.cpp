@@ -85,12 +85,12 @@ QString detail_of(const Json& element) {
   return parts.join('\n');
 }
 
-/// The drawing of the element, or of the kind of element that its list has.
+/// The drawing of the element, or of its kind; none for a list.
 QIcon icon_of(const ElementPlace& place) {
+  if (!place.list.isEmpty()) return {};
+  if (place.path.isEmpty()) return icon("world");
   const QString name = name_of(*place.element);
   if (QIcon own = icon(name); !own.isNull()) return own;
-  if (place.path.isEmpty()) return icon("world");
-  if (!place.list.isEmpty()) return {};
   static const QRegularExpression kind_in_path("(?:^|/)([a-z_]+)(?:\\[[^/]*)?$");
   const QString kind = kind_in_path.match(place.path).captured(1);
   static const QHash<QString, QString> others{
