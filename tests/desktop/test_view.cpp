@@ -268,7 +268,7 @@ TEST_CASE("What is locked is marked in the trees and in the view, and can be unl
   window.choose("robot[r1]");
   const QAction* lock = window.get<QAction>("lock");
   CHECK(lock->text().remove('&') == "Lock against the mouse");
-  CHECK(tree->item("robot[r1]")->icon(0).isNull());
+  CHECK_FALSE(tree->item("robot[r1]")->toolTip(0).contains("Locked"));
   const auto picture = [&] {
     window->findChild<WorldTree*>("world_tree")->tree()->clearSelection();
     const QImage image = scene.grab().toImage();
@@ -277,19 +277,19 @@ TEST_CASE("What is locked is marked in the trees and in the view, and can be unl
   };
   const QImage before = picture();
   window.act("lock");
-  CHECK_FALSE(tree->item("robot[r1]")->icon(0).isNull());
   CHECK(tree->item("robot[r1]")->toolTip(0).contains("Locked"));
-  CHECK_FALSE(team->item("robot[r1]")->icon(0).isNull());
-  CHECK(tree->item("robot[r1]/sensor[ahead]")->icon(0).isNull());
+  CHECK(tree->item("robot[r1]")->toolTip(0).contains("Locked"));
+  CHECK(team->item("robot[r1]")->toolTip(0).contains("Locked"));
+  CHECK_FALSE(tree->item("robot[r1]/sensor[ahead]")->toolTip(0).contains("Locked"));
   CHECK(lock->text().remove('&') == "Unlock for the mouse");
   CHECK(picture() != before);
 
   // The mark goes with a new name, and with the lock.
   window.after([&] { window.bench().edit({"robot[r1]/@id=r9"}, "rename"); });
-  CHECK_FALSE(tree->item("robot[r9]")->icon(0).isNull());
+  CHECK(tree->item("robot[r9]")->toolTip(0).contains("Locked"));
   window.choose("robot[r9]");
   window.act("lock");
-  CHECK(tree->item("robot[r9]")->icon(0).isNull());
+  CHECK_FALSE(tree->item("robot[r9]")->toolTip(0).contains("Locked"));
 }
 
 TEST_CASE("A field lies over the floor in the view while the world runs") {
