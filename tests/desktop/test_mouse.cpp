@@ -39,6 +39,13 @@ double number_in(Window& window, const QString& path, const char* name) {
   return attribute(*place.element, name).toDouble();
 }
 
+/// Makes the crate so large that its corner can be gripped.
+void enlarge(Window& window) {
+  window.after([&] {
+    window.bench().edit({"obstacle[crate]/@length=0.5", "obstacle[crate]/@width=0.5"}, "enlarge");
+  });
+}
+
 /// Clicks through the menu bar, as a hand does.
 void pick(Window& window, const char* menu_title, const char* action) {
   for (QAction* each : window->menuBar()->actions()) {
@@ -84,6 +91,7 @@ TEST_CASE("A double click in the view follows a robot, and leaves it again") {
 
 TEST_CASE("A box is turned by its knob and resized by its corner") {
   SeenRoom window;
+  enlarge(window);
   SceneView& scene = window->scene();
   press_key(&scene, Qt::Key_7);
   click_at(&scene, pixel_at(window, {1.0, 1.0, 0.1}));
@@ -133,7 +141,7 @@ TEST_CASE("Patches and lamps are chosen, moved, turned and resized in the view")
   drag(SceneView::Tool::move, -0.5, -1.5);
   CHECK(number_in(window, "patch[spot]", "x") == Approx(-0.5).margin(0.03));
   CHECK(number_in(window, "patch[spot]", "y") == Approx(-1.5).margin(0.03));
-  drag(SceneView::Tool::resize, -0.1, -1.35);
+  drag(SceneView::Tool::resize, -0.1, -1.2);
   CHECK(number_in(window, "patch[spot]", "radius") == Approx(0.4).margin(0.03));
   choose(-1.0, -1.0, "patch[mat]");
   drag(SceneView::Tool::turn, -1.0, -0.5);
@@ -150,6 +158,8 @@ TEST_CASE("Patches and lamps are chosen, moved, turned and resized in the view")
 
 TEST_CASE("What is chosen is moved by a drag of itself, and what is not turns the camera") {
   SeenRoom window;
+  enlarge(window);
+  const QString before = window.bench().text();
   SceneView& scene = window->scene();
   press_key(&scene, Qt::Key_7);
   const double yaw = scene.camera().yaw;
@@ -163,11 +173,11 @@ TEST_CASE("What is chosen is moved by a drag of itself, and what is not turns th
   CHECK(number_in(window, "obstacle[crate]", "y") == Approx(0.5).margin(0.1));
   CHECK(scene.camera().yaw == yaw);
   window.after([&] { window.act("undo"); });
-  CHECK(window.bench().text() == kRoom);
+  CHECK(window.bench().text() == before);
   click_at(&scene, pixel_at(window, {-1.5, -1.5, 0.0}));
   drag();
   CHECK(scene.camera().yaw != yaw);
-  CHECK(window.bench().undo_name().isEmpty());
+  CHECK(window.bench().undo_name() == "enlarge");
 }
 
 TEST_CASE("A thing that is small on the screen has no corner to resize it by: it is moved") {
