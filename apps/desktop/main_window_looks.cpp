@@ -87,7 +87,7 @@ void MainWindow::fill_looks_menus(QMenu* menu) {
     made->setChecked(is_chosen);
     among->addAction(made);
   };
-  QMenu* themes = menu->addMenu(tr("&Theme"));
+  QMenu* themes = menu->addMenu(tr("Theme"));
   auto* theme_group = new QActionGroup(this);
   for (const auto& [name, text] : {std::pair(QString("system"), tr("Theme: as the s&ystem")),
                                    {QString("light"), tr("Theme: &light")},
@@ -95,7 +95,7 @@ void MainWindow::fill_looks_menus(QMenu* menu) {
     choice(themes, theme_group, "theme_" + name, text, theme() == name,
            [name = name] { choose_theme(name); });
   }
-  QMenu* tongues = menu->addMenu(tr("Lan&guage"));
+  QMenu* tongues = menu->addMenu(tr("Language"));
   auto* language_group = new QActionGroup(this);
   const auto tongue = [&](const QString& code, const QString& text) {
     choice(tongues, language_group, "language_" + code, text, language() == code, [this, code] {

@@ -2170,8 +2170,8 @@ Trotzdem speichern?</translation>
         <translation>Eine feste, dynamische oder bewegte Kiste oder ein anderes Hindernis hinzufügen</translation>
     </message>
     <message>
-        <source>&amp;Theme</source>
-        <translation>&amp;Farben</translation>
+        <source>Theme</source>
+        <translation>Farben</translation>
     </message>
     <message>
         <source>Theme: as the s&amp;ystem</source>
@@ -2186,8 +2186,8 @@ Trotzdem speichern?</translation>
         <translation>Farben: &amp;dunkel</translation>
     </message>
     <message>
-        <source>Lan&amp;guage</source>
-        <translation>S&amp;prache</translation>
+        <source>Language</source>
+        <translation>Sprache</translation>
     </message>
     <message>
         <source>The next window that you open has this language.</source>
