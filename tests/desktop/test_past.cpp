@@ -356,7 +356,6 @@ TEST_CASE("One time is shown by all windows: those of the robot show the values 
   REQUIRE(wait_for([&] { return fuzzy->now().inputs.size() == 2; }));
   const std::vector<double> inputs = fuzzy->now().inputs;
   run_until(window, 2.0);
-  REQUIRE(wait_for([&] { return fuzzy->now().inputs != inputs; }));
   raise("dock_sensors");
   const QString now = "now at 2.0 s: x ";
   CHECK(wait_for([&] { return window.get<QLabel>("x_live")->text().startsWith(now); }));
