@@ -320,7 +320,7 @@ void MainWindow::fill_help_menu(QMenu* menu) {
   command(menu, nullptr, "tutorial", tr("&Tutorial"), {},
           [this] { open_page("tutorial/1-your-first-behavior.md"); });
   command(
-      menu, nullptr, "page_of_selected", tr("&Page of the selection"), {},
+      menu, with_world_, "page_of_selected", tr("&Page of the selection"), {},
       [this] { open_page_of_selected(); },
       tr("The page of the documentation about the selected behaviour, coordinator or sensor"));
   menu->addSeparator();

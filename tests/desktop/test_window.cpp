@@ -244,6 +244,7 @@ TEST_CASE("Without a world, only what needs none can be done") {
                                 "keys",
                                 "shortcuts",
                                 "about",
+                                "tutorial",
                                 "show_trails",
                                 "show_sketches",
                                 "show_names",

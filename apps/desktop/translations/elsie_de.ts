@@ -2,10 +2,228 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>Dialogs</name>
+    <message>
+        <source>%1 x %2</source>
+        <translation>%1 x %2</translation>
+    </message>
+    <message>
+        <source>Export the film</source>
+        <translation>Film exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Format</translation>
+    </message>
+    <message>
+        <source>MP4 (H.264): for mails, slides and browsers</source>
+        <translation>MP4 (H.264): für E-Mails, Folien und Browser</translation>
+    </message>
+    <message>
+        <source>WebM (VP9): small, for browsers</source>
+        <translation>WebM (VP9): klein, für Browser</translation>
+    </message>
+    <message>
+        <source>GIF: plays everywhere, large, without a pause</source>
+        <translation>GIF: läuft überall, groß, lässt sich nicht anhalten</translation>
+    </message>
+    <message>
+        <source>AVI (Motion JPEG): large, needs no other program</source>
+        <translation>AVI (Motion JPEG): groß, braucht kein anderes Programm</translation>
+    </message>
+    <message>
+        <source>MP4, WebM and GIF need the program ffmpeg, which is not installed. &apos;sudo apt install ffmpeg&apos; installs it; then open this again.</source>
+        <translation>MP4, WebM und GIF brauchen das Programm ffmpeg, das nicht installiert ist. &apos;sudo apt install ffmpeg&apos; installiert es; öffnen Sie dies dann noch einmal.</translation>
+    </message>
+    <message>
+        <source>&amp;Size</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>%1, as the view</source>
+        <translation>%1, wie die Ansicht</translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation>&amp;Tempo</translation>
+    </message>
+    <message>
+        <source>%1x: a film of %2 s</source>
+        <translation>%1x: ein Film von %2 s</translation>
+    </message>
+    <message>
+        <source>Export the picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
+    <message>
+        <source>The &amp;view, as it is shown</source>
+        <translation>Die &amp;Ansicht, wie sie gezeigt wird</translation>
+    </message>
+    <message>
+        <source>From &amp;above, drawn: with paths, axes and a legend</source>
+        <translation>Von &amp;oben, gezeichnet: mit Bahnen, Achsen und Legende</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source>&amp;Width in print</source>
+        <translation>&amp;Breite im Druck</translation>
+    </message>
+    <message>
+        <source>&amp;Resolution</source>
+        <translation>A&amp;uflösung</translation>
+    </message>
+    <message>
+        <source>Screen: 96 dots per inch</source>
+        <translation>Bildschirm: 96 Punkte je Zoll</translation>
+    </message>
+    <message>
+        <source>Slides: 150 dots per inch</source>
+        <translation>Folien: 150 Punkte je Zoll</translation>
+    </message>
+    <message>
+        <source>Print: 300 dots per inch</source>
+        <translation>Druck: 300 Punkte je Zoll</translation>
+    </message>
+    <message>
+        <source>Fine print: 600 dots per inch</source>
+        <translation>Feiner Druck: 600 Punkte je Zoll</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>none: sharp at any size</source>
+        <translation>keine: scharf in jeder Größe</translation>
+    </message>
+    <message>
+        <source>%1 wide</source>
+        <translation>%1 breit</translation>
+    </message>
+    <message>
+        <source>PNG</source>
+        <translation>PNG</translation>
+    </message>
+    <message>
+        <source>SVG: lines and texts, for editing</source>
+        <translation>SVG: Linien und Texte, zum Bearbeiten</translation>
+    </message>
+    <message>
+        <source>PDF: lines and texts, for papers</source>
+        <translation>PDF: Linien und Texte, für Veröffentlichungen</translation>
+    </message>
+    <message>
+        <source>JPEG</source>
+        <translation>JPEG</translation>
+    </message>
+</context>
+<context>
     <name>Film</name>
     <message>
         <source>after %1 s it has reached %2 MB, the most that an AVI file can hold; make the window smaller, or the run shorter</source>
         <translation>nach %1 s hat er %2 MB erreicht, mehr fasst eine AVI-Datei nicht; machen Sie das Fenster kleiner oder den Lauf kürzer</translation>
+    </message>
+</context>
+<context>
+    <name>Labels</name>
+    <message>
+        <source>goal</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>goal of %1</source>
+        <translation>Ziel von %1</translation>
+    </message>
+</context>
+<context>
+    <name>Reasons</name>
+    <message numerus="yes">
+        <source>%1 more robots stood still.</source>
+        <translation>
+            <numerusform>%1 weiterer Roboter stand still.</numerusform>
+            <numerusform>%1 weitere Roboter standen still.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 has been stuck for %2 s: %3 and %4 cancel each other.</source>
+        <translation>%1 steckt seit %2 s fest: %3 und %4 heben einander auf.</translation>
+    </message>
+    <message>
+        <source>%1 has been stuck for %2 s: %3 drives it against something.</source>
+        <translation>%1 steckt seit %2 s fest: %3 treibt ihn gegen etwas.</translation>
+    </message>
+    <message>
+        <source>%1 has turned on the spot for %2 s: %3 decides.</source>
+        <translation>%1 dreht sich seit %2 s auf der Stelle: %3 entscheidet.</translation>
+    </message>
+    <message>
+        <source>%1 has stood still for %2 s: its battery is empty.</source>
+        <translation>%1 steht seit %2 s still: Sein Akku ist leer.</translation>
+    </message>
+    <message>
+        <source>%1 has stood still for %2 s: no behaviour asks it to move.</source>
+        <translation>%1 steht seit %2 s still: Kein Verhalten verlangt eine Bewegung.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 resources were not collected.</source>
+        <translation>
+            <numerusform>Nicht gesammelt: %1 von %2 Rohstoff.</numerusform>
+            <numerusform>Nicht gesammelt: %1 von %2 Rohstoffen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 ended %2 m away from the place that it should reach.</source>
+        <translation>%1 war am Ende %2 m von dem Ort entfernt, den er erreichen sollte.</translation>
+    </message>
+    <message>
+        <source>%1 should have driven %2 m farther.</source>
+        <translation>%1 hätte %2 m weiter fahren sollen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; ended %2 m away from the place to which it should be pushed.</source>
+        <translation>&apos;%1&apos; war am Ende %2 m von dem Ort entfernt, an den es geschoben werden sollte.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 events &apos;%2&apos; that a goal asks for, %3 did not happen.</source>
+        <translation>
+            <numerusform>Ein Ziel verlangt %1 Ereignis &apos;%2&apos;; nicht eingetreten: %3.</numerusform>
+            <numerusform>Ein Ziel verlangt %1 Ereignisse &apos;%2&apos;; nicht eingetreten: %3.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 touched &apos;%2&apos; at %3 s.</source>
+        <translation>%1 berührte &apos;%2&apos; bei %3 s.</translation>
+    </message>
+    <message>
+        <source>The battery of %1 was empty at %2 s.</source>
+        <translation>Der Akku von %1 war bei %2 s leer.</translation>
+    </message>
+    <message>
+        <source>Success after %1 s</source>
+        <translation>Erfolg nach %1 s</translation>
+    </message>
+    <message>
+        <source>Failed after %1 s</source>
+        <translation>Gescheitert nach %1 s</translation>
+    </message>
+    <message>
+        <source>Time is up after %1 s</source>
+        <translation>Zeit abgelaufen nach %1 s</translation>
+    </message>
+    <message>
+        <source>Ended after %1 s</source>
+        <translation>Beendet nach %1 s</translation>
+    </message>
+    <message>
+        <source>Stopped after %1 s</source>
+        <translation>Abgebrochen nach %1 s</translation>
+    </message>
+    <message>
+        <source>The run was stopped</source>
+        <translation>Der Lauf wurde abgebrochen</translation>
     </message>
 </context>
 <context>
@@ -770,6 +988,14 @@
         <source>Select the robot that &apos;%1&apos; is for.</source>
         <translation>Wählen Sie den Roboter aus, für den &apos;%1&apos; ist.</translation>
     </message>
+    <message>
+        <source>&amp;Add one with its parameters...</source>
+        <translation>Eines mit seinen Parametern &amp;hinzufügen...</translation>
+    </message>
+    <message>
+        <source>&amp;Add %1...</source>
+        <translation>%1 &amp;hinzufügen...</translation>
+    </message>
 </context>
 <context>
     <name>elsie::desktop::BehaviorsDialog</name>
@@ -807,6 +1033,24 @@
     </message>
 </context>
 <context>
+    <name>elsie::desktop::Card</name>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>elsie::desktop::CodeEditor</name>
+    <message>
+        <source>Find...</source>
+        <translation>Suchen...</translation>
+    </message>
+</context>
+<context>
     <name>elsie::desktop::CommandPalette</name>
     <message>
         <source>Commands</source>
@@ -838,10 +1082,6 @@
     <message>
         <source>Start</source>
         <translation>Start</translation>
-    </message>
-    <message>
-        <source>Start or continue the run (F5)</source>
-        <translation>Den Lauf starten oder fortsetzen (F5)</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -894,6 +1134,10 @@
     <message>
         <source>&apos;%1&apos; is not a seed; expected a whole number of at most 19 digits.</source>
         <translation>&apos;%1&apos; ist kein Startwert; erwartet wird eine ganze Zahl mit höchstens 19 Ziffern.</translation>
+    </message>
+    <message>
+        <source>Start or continue the run; after its end, start it again (F5)</source>
+        <translation>Den Lauf starten oder fortsetzen; nach seinem Ende von vorn beginnen (F5)</translation>
     </message>
 </context>
 <context>
@@ -1015,6 +1259,10 @@ gehemmt von %1</translation>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
+    <message>
+        <source>the reason is not stored</source>
+        <translation>der Grund ist nicht gespeichert</translation>
+    </message>
 </context>
 <context>
     <name>elsie::desktop::ElementDialog</name>
@@ -1130,6 +1378,10 @@ gehemmt von %1</translation>
         <source>%1 OK uses it anyway.</source>
         <translation>%1 OK verwendet es trotzdem.</translation>
     </message>
+    <message>
+        <source>cancel the edit of %1</source>
+        <translation>Bearbeiten von %1 abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>elsie::desktop::Engine</name>
@@ -1143,10 +1395,6 @@ gehemmt von %1</translation>
     <message>
         <source>Export the picture</source>
         <translation>Bild exportieren</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png *.jpg)</source>
-        <translation>Bilder (*.png *.jpg)</translation>
     </message>
     <message>
         <source>The picture is in &apos;%1&apos;</source>
@@ -1163,10 +1411,6 @@ gehemmt von %1</translation>
     <message>
         <source>Export the film</source>
         <translation>Film exportieren</translation>
-    </message>
-    <message>
-        <source>Films (*.avi)</source>
-        <translation>Filme (*.avi)</translation>
     </message>
     <message>
         <source>Writing &apos;%1&apos;</source>
@@ -1207,6 +1451,34 @@ gehemmt von %1</translation>
     <message>
         <source>Copied, but the command gives a different run, because its file has changed since this run began. %1</source>
         <translation>Kopiert, aber der Befehl ergibt einen anderen Lauf, weil seine Datei seit dem Beginn dieses Laufs geändert wurde. %1</translation>
+    </message>
+    <message>
+        <source>the world was changed meanwhile</source>
+        <translation>die Welt wurde inzwischen geändert</translation>
+    </message>
+    <message>
+        <source>Pictures (*.%1)</source>
+        <translation>Bilder (*.%1)</translation>
+    </message>
+    <message>
+        <source>The graphics of this machine draws no picture of %1 x %2 pixels. Choose fewer dots per inch.</source>
+        <translation>Die Grafik dieses Rechners zeichnet kein Bild von %1 x %2 Pixeln. Wählen Sie weniger Punkte je Zoll.</translation>
+    </message>
+    <message>
+        <source>A film is being written already.</source>
+        <translation>Es wird bereits ein Film geschrieben.</translation>
+    </message>
+    <message>
+        <source>Films (*.%1)</source>
+        <translation>Filme (*.%1)</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>the run went on meanwhile; pause it until the film is written</source>
+        <translation>der Lauf ging inzwischen weiter; halten Sie ihn an, bis der Film geschrieben ist</translation>
     </message>
 </context>
 <context>
@@ -1360,6 +1632,10 @@ gehemmt von %1</translation>
         <source>   centre of gravity %1</source>
         <translation>   Schwerpunkt %1</translation>
     </message>
+    <message>
+        <source>The values at %1 s are not stored: they are while this window is shown and the model is asked.</source>
+        <translation>Die Werte bei %1 s sind nicht gespeichert: Sie werden es nur, solange dieses Fenster zu sehen ist und das Modell gefragt wird.</translation>
+    </message>
 </context>
 <context>
     <name>elsie::desktop::GraphPanel</name>
@@ -1406,6 +1682,33 @@ gehemmt von %1</translation>
     <message>
         <source>States or tree of the coordinators</source>
         <translation>Zustände oder Baum der Koordinatoren</translation>
+    </message>
+</context>
+<context>
+    <name>elsie::desktop::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Page of the documentation</source>
+        <translation>Seite der Dokumentation</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Forward</source>
+        <translation>&amp;Vorwärts</translation>
+    </message>
+    <message>
+        <source>&amp;Tutorial</source>
+        <translation>&amp;Tutorial</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
     </message>
 </context>
 <context>
@@ -1556,10 +1859,6 @@ gehemmt von %1</translation>
     <message>
         <source>Next error</source>
         <translation>Nächster Fehler</translation>
-    </message>
-    <message>
-        <source>&amp;New world...</source>
-        <translation>&amp;Neue Welt...</translation>
     </message>
     <message>
         <source>New</source>
@@ -1906,10 +2205,6 @@ gehemmt von %1</translation>
         <translation>Ü&amp;ber Elsie</translation>
     </message>
     <message>
-        <source>&lt;p&gt;In the view: the left button orbits, the right one pans, the wheel zooms; a click selects, with Shift several; a right click edits. Ctrl and a button always move the camera. Handles move, turn and resize; Ctrl snaps, Shift refines. Arrow keys move the selection, with Shift by 1 cm. Space runs and pauses. G moves, R turns, S resizes: then X or Y, a number (m, degrees, a factor), and Enter; or the mouse.&lt;/p&gt;&lt;p&gt;On the time line: Left and Right by 0.1 s, with Shift by 1 s; comma and period to the previous and next event; Home and End to the start and to now.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;In der Ansicht: Die linke Taste dreht die Kamera, die rechte verschiebt sie, das Rad holt heran; ein Klick wählt aus, mit Umschalt mehrere; ein Rechtsklick bearbeitet. Strg und eine Taste der Maus bewegen immer die Kamera. Griffe verschieben, drehen und ändern die Größe; Strg rastet ein, Umschalt verfeinert. Pfeiltasten verschieben die Auswahl, mit Umschalt um 1 cm. Leertaste startet und hält an. G verschiebt, R dreht, S ändert die Größe: danach X oder Y, eine Zahl (m, Grad, ein Faktor) und Eingabe; oder die Maus.&lt;/p&gt;&lt;p&gt;Auf der Zeitleiste: Links und Rechts um 0.1 s, mit Umschalt um 1 s; Komma und Punkt zum vorigen und nächsten Ereignis; Pos1 und Ende zum Anfang und zum Jetzt.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>Keys</source>
         <translation>Tasten</translation>
     </message>
@@ -2170,10 +2465,6 @@ Trotzdem speichern?</translation>
         <translation>Eine feste, dynamische oder bewegte Kiste oder ein anderes Hindernis hinzufügen</translation>
     </message>
     <message>
-        <source>Theme</source>
-        <translation>Farben</translation>
-    </message>
-    <message>
         <source>Theme: as the s&amp;ystem</source>
         <translation>Farben: wie das S&amp;ystem</translation>
     </message>
@@ -2184,10 +2475,6 @@ Trotzdem speichern?</translation>
     <message>
         <source>Theme: &amp;dark</source>
         <translation>Farben: &amp;dunkel</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Sprache</translation>
     </message>
     <message>
         <source>The next window that you open has this language.</source>
@@ -2277,6 +2564,188 @@ Trotzdem speichern?</translation>
         <source>The run is at %1 s. A new seed starts it again, and this run is lost. Start again with seed %2?</source>
         <translation>Der Lauf ist bei %1 s. Ein neuer Startwert beginnt ihn von vorn, und dieser Lauf geht verloren. Mit Startwert %2 neu beginnen?</translation>
     </message>
+    <message>
+        <source>&amp;New world</source>
+        <translation>&amp;Neue Welt</translation>
+    </message>
+    <message>
+        <source>A room in which a robot collects four resources</source>
+        <translation>Ein Raum, in dem ein Roboter vier Rohstoffe sammelt</translation>
+    </message>
+    <message>
+        <source>Ne&amp;w behaviour...</source>
+        <translation>Ne&amp;ues Verhalten...</translation>
+    </message>
+    <message>
+        <source>Writes a behaviour in C++ or Python, loads it, and opens its source</source>
+        <translation>Schreibt ein Verhalten in C++ oder Python, lädt es und öffnet seinen Quelltext</translation>
+    </message>
+    <message>
+        <source>Obli&amp;quely (isometric)</source>
+        <translation>Schr&amp;äg (isometrisch)</translation>
+    </message>
+    <message>
+        <source>Follow it from &amp;behind</source>
+        <translation>Ihm von hin&amp;ten folgen</translation>
+    </message>
+    <message>
+        <source>From the robot&apos;s &amp;place</source>
+        <translation>Vom Platz &amp;des Roboters aus</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w the end of the run</source>
+        <translation>En&amp;de des Laufs zeigen</translation>
+    </message>
+    <message>
+        <source>Outcome, collected, distance, collisions, state hash, and why it failed</source>
+        <translation>Ausgang, Gesammeltes, Strecke, Kollisionen, Zustands-Hash und warum er gescheitert ist</translation>
+    </message>
+    <message>
+        <source>&amp;Tutorial</source>
+        <translation>T&amp;utorial</translation>
+    </message>
+    <message>
+        <source>&amp;Page of the selection</source>
+        <translation>&amp;Seite zur Auswahl</translation>
+    </message>
+    <message>
+        <source>The page of the documentation about the selected behaviour, coordinator or sensor</source>
+        <translation>Die Seite der Dokumentation über das ausgewählte Verhalten, den Koordinator oder den Sensor</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;In the view: the left button orbits, the right one pans, the wheel zooms; a click selects, with Shift several; a right click edits. Ctrl and a button always move the camera. Dragging the selected object moves it, its handles turn and resize it; Ctrl snaps, Shift refines. Arrow keys move the selection, with Shift by 1 cm. Space runs and pauses. G moves, R turns, S resizes: then X or Y, a number (m, degrees, a factor), and Enter; or the mouse.&lt;/p&gt;&lt;p&gt;On the time line: Left and Right by 0.1 s, with Shift by 1 s; comma and period to the previous and next event; Home and End to the start and to now.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;In der Ansicht: Die linke Taste dreht die Ansicht, die rechte verschiebt sie, das Rad zoomt; ein Klick wählt aus, mit Umschalt mehrere; ein Rechtsklick bearbeitet. Strg und eine Taste der Maus bewegen immer die Kamera. Ziehen verschiebt das ausgewählte Ding, seine Griffe drehen es und ändern seine Größe; Strg rastet ein, Umschalt verfeinert. Pfeiltasten verschieben die Auswahl, mit Umschalt um 1 cm. Die Leertaste lässt laufen und hält an. G verschiebt, R dreht, S ändert die Größe: dann X oder Y, eine Zahl (m, Grad, ein Faktor) und Eingabe; oder die Maus.&lt;/p&gt;&lt;p&gt;Auf der Zeitleiste: Links und Rechts um 0.1 s, mit Umschalt um 1 s; Komma und Punkt zum vorigen und nächsten Ereignis; Pos1 und Ende zum Anfang und zum Jetzt.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelltext</translation>
+    </message>
+    <message>
+        <source>The run has not ended.</source>
+        <translation>Der Lauf ist nicht beendet.</translation>
+    </message>
+    <message>
+        <source>The engine compiles and loads it...</source>
+        <translation>Die Engine kompiliert und lädt es...</translation>
+    </message>
+    <message>
+        <source>%1 is loaded. Select a robot; Behaviours gives it to the robot.</source>
+        <translation>%1 ist geladen. Wählen Sie einen Roboter aus, und geben Sie es ihm unter Verhalten.</translation>
+    </message>
+    <message>
+        <source>add %1 to %2</source>
+        <translation>%1 zu %2 hinzufügen</translation>
+    </message>
+    <message>
+        <source>%1 is loaded, and %2 has it.</source>
+        <translation>%1 ist geladen, und %2 hat es.</translation>
+    </message>
+    <message>
+        <source>Not added</source>
+        <translation>Nicht hinzugefügt</translation>
+    </message>
+    <message>
+        <source>%1 is loaded, but %2 cannot have it: %3</source>
+        <translation>%1 ist geladen, aber %2 kann es nicht haben: %3</translation>
+    </message>
+    <message>
+        <source>The source &apos;%1&apos; has changes that are not saved. Save them?</source>
+        <translation>Der Quelltext &apos;%1&apos; hat Änderungen, die nicht gespeichert sind. Speichern?</translation>
+    </message>
+    <message>
+        <source>No documentation</source>
+        <translation>Keine Dokumentation</translation>
+    </message>
+    <message>
+        <source>The pages of the documentation are not installed. They are in the folder docs of Elsie&apos;s sources; &apos;make install&apos; installs them with the program.</source>
+        <translation>Die Seiten der Dokumentation sind nicht installiert. Sie sind im Ordner docs der Quellen von Elsie; &apos;make install&apos; installiert sie mit dem Programm.</translation>
+    </message>
+    <message>
+        <source>Select a plugin, such as a behaviour or a sensor: then this opens its page. Here is the page about worlds.</source>
+        <translation>Wählen Sie ein Plugin aus, zum Beispiel ein Verhalten oder einen Sensor: Dann öffnet dies seine Seite. Hier ist die Seite über Welten.</translation>
+    </message>
+    <message>
+        <source>%1 has no page; Properties shows what its parameters mean.</source>
+        <translation>%1 hat keine Seite; Eigenschaften zeigt, was die Parameter bedeuten.</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+</context>
+<context>
+    <name>elsie::desktop::NewBehaviorDialog</name>
+    <message>
+        <source>New behaviour</source>
+        <translation>Neues Verhalten</translation>
+    </message>
+    <message>
+        <source>Writes a small behaviour that works, loads it, and adds it to the selected robot. You change it in the window Source; whenever you save, the robot goes on with the new one.</source>
+        <translation>Schreibt ein kleines Verhalten, das funktioniert, lädt es und gibt es dem ausgewählten Roboter. Sie ändern es im Fenster Quelltext; nach jedem Speichern macht der Roboter mit dem neuen weiter.</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>C++, compiled: fastest</source>
+        <translation>C++, kompiliert: am schnellsten</translation>
+    </message>
+    <message>
+        <source>Python: loaded at once</source>
+        <translation>Python: sofort geladen</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>&amp;Browse...</source>
+        <translation>&amp;Durchsuchen...</translation>
+    </message>
+    <message>
+        <source>In the &amp;folder</source>
+        <translation>Im &amp;Ordner</translation>
+    </message>
+    <message>
+        <source>&amp;Write and load</source>
+        <translation>Schreiben und &amp;laden</translation>
+    </message>
+    <message>
+        <source>The folder of the new folder</source>
+        <translation>Der Ordner für den neuen Ordner</translation>
+    </message>
+    <message>
+        <source>The program &apos;%1&apos; does not start: %2</source>
+        <translation>Das Programm &apos;%1&apos; startet nicht: %2</translation>
+    </message>
+    <message>
+        <source>The behaviour needs a name: small letters, digits and underscores, such as &apos;follow_wall&apos;.</source>
+        <translation>Das Verhalten braucht einen Namen: Kleinbuchstaben, Ziffern und Unterstriche, wie &apos;follow_wall&apos;.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; exists already; choose another name, or another folder.</source>
+        <translation>&apos;%1&apos; gibt es schon; wählen Sie einen anderen Namen oder einen anderen Ordner.</translation>
+    </message>
+</context>
+<context>
+    <name>elsie::desktop::PipedFilm</name>
+    <message>
+        <source>the program ffmpeg is not installed; &apos;sudo apt install ffmpeg&apos; installs it</source>
+        <translation>das Programm ffmpeg ist nicht installiert; &apos;sudo apt install ffmpeg&apos; installiert es</translation>
+    </message>
+    <message>
+        <source>ffmpeg ended with exit code %1</source>
+        <translation>ffmpeg endete mit dem Exit-Code %1</translation>
+    </message>
+    <message>
+        <source>ffmpeg says &apos;%1&apos;</source>
+        <translation>ffmpeg meldet &apos;%1&apos;</translation>
+    </message>
 </context>
 <context>
     <name>elsie::desktop::PlotsPanel</name>
@@ -2364,6 +2833,10 @@ Trotzdem speichern?</translation>
         <source>to [s]</source>
         <translation>bis [s]</translation>
     </message>
+    <message>
+        <source>at %1 s</source>
+        <translation>bei %1 s</translation>
+    </message>
 </context>
 <context>
     <name>elsie::desktop::ProblemsPanel</name>
@@ -2435,14 +2908,6 @@ Trotzdem speichern?</translation>
         <translation>%1 hinzufügen...</translation>
     </message>
     <message>
-        <source>weight now %1</source>
-        <translation>Gewicht jetzt %1</translation>
-    </message>
-    <message>
-        <source>now %1</source>
-        <translation>jetzt %1</translation>
-    </message>
-    <message>
         <source>Nothing is selected</source>
         <translation>Nichts ist ausgewählt</translation>
     </message>
@@ -2453,6 +2918,105 @@ Trotzdem speichern?</translation>
     <message>
         <source>World</source>
         <translation>Welt</translation>
+    </message>
+    <message>
+        <source>weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>heading</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>deg</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>at %1 s: %2 %3</source>
+        <translation>bei %1 s: %2 %3</translation>
+    </message>
+    <message>
+        <source>now at %1 s: %2 %3</source>
+        <translation>jetzt bei %1 s: %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>elsie::desktop::RunCard</name>
+    <message>
+        <source>Collected</source>
+        <translation>Gesammelt</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>Collisions</source>
+        <translation>Kollisionen</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copies the state hash: two runs with the same hash are the same run</source>
+        <translation>Kopiert den Zustands-Hash: Zwei Läufe mit demselben Hash sind derselbe Lauf</translation>
+    </message>
+    <message>
+        <source>State hash</source>
+        <translation>Zustands-Hash</translation>
+    </message>
+    <message>
+        <source>Run &amp;again</source>
+        <translation>&amp;Noch einmal laufen</translation>
+    </message>
+    <message>
+        <source>The same run again: the same world and seed</source>
+        <translation>Derselbe Lauf noch einmal: dieselbe Welt und derselbe Startwert</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt seed</source>
+        <translation>Nä&amp;chster Startwert</translation>
+    </message>
+    <message>
+        <source>The same world with other random numbers</source>
+        <translation>Dieselbe Welt mit anderen Zufallszahlen</translation>
+    </message>
+    <message>
+        <source>Copied: %1</source>
+        <translation>Kopiert: %1</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>The end of the run: %1</source>
+        <translation>Das Ende des Laufs: %1</translation>
+    </message>
+    <message>
+        <source>Collected: %1, distance: %2, collisions: %3, state hash: %4</source>
+        <translation>Gesammelt: %1, Strecke: %2, Kollisionen: %3, Zustands-Hash: %4</translation>
     </message>
 </context>
 <context>
@@ -2509,10 +3073,6 @@ Trotzdem speichern?</translation>
         <translation>%1   (Eingabe: anwenden, Esc: abbrechen)</translation>
     </message>
     <message>
-        <source>Looking back at %1 s: places only, without sketches</source>
-        <translation>Rückblick auf %1 s: nur Orte, ohne Skizzen</translation>
-    </message>
-    <message>
         <source>%1 parts of sketches are not drawn: there are too many</source>
         <translation>%1 Teile von Skizzen sind nicht gezeichnet: Es sind zu viele</translation>
     </message>
@@ -2523,6 +3083,10 @@ Trotzdem speichern?</translation>
     <message>
         <source>The view cannot resize this; its numbers are in Properties.</source>
         <translation>Die Ansicht kann die Größe hiervon nicht ändern; die Zahlen stehen in den Eigenschaften.</translation>
+    </message>
+    <message>
+        <source>Looking back at %1 s: places only; sketches, fields and lights are not stored</source>
+        <translation>Rückblick auf %1 s: nur Orte; Skizzen, Felder und Lichter sind nicht gespeichert</translation>
     </message>
 </context>
 <context>
@@ -2571,6 +3135,14 @@ Trotzdem speichern?</translation>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
+    <message>
+        <source>messages</source>
+        <translation>Nachrichten</translation>
+    </message>
+    <message>
+        <source>not stored</source>
+        <translation>nicht gespeichert</translation>
+    </message>
 </context>
 <context>
     <name>elsie::desktop::ShortcutsDialog</name>
@@ -2608,34 +3180,49 @@ Trotzdem speichern?</translation>
     </message>
 </context>
 <context>
-    <name>elsie::desktop::SourceWindow</name>
+    <name>elsie::desktop::SourceEditor</name>
+    <message>
+        <source>&amp;Save and load</source>
+        <translation>Speichern und &amp;laden</translation>
+    </message>
+    <message>
+        <source>Source of the plugin</source>
+        <translation>Quelltext des Plugins</translation>
+    </message>
+    <message>
+        <source>Saves the file; the engine compiles and loads it, and the run goes on (Ctrl+S)</source>
+        <translation>Speichert die Datei; die Engine kompiliert und lädt sie, und der Lauf geht weiter (Strg+S)</translation>
+    </message>
     <message>
         <source>&apos;%1&apos; cannot be read: %2.</source>
         <translation>&apos;%1&apos; kann nicht gelesen werden: %2.</translation>
     </message>
     <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Speichern</translation>
+        <source>it is too long for a source</source>
+        <translation>sie ist zu lang für einen Quelltext</translation>
     </message>
     <message>
-        <source>Open in &amp;another program</source>
-        <translation>In einem &amp;anderen Programm öffnen</translation>
+        <source>&apos;%1&apos; cannot be written: %2. The text stays here; make room, or allow writing there, and save again.</source>
+        <translation>&apos;%1&apos; kann nicht geschrieben werden: %2. Der Text bleibt hier; schaffen Sie Platz, oder erlauben Sie dort das Schreiben, und speichern Sie noch einmal.</translation>
+    </message>
+</context>
+<context>
+    <name>elsie::desktop::SourcesPanel</name>
+    <message>
+        <source>Saved.</source>
+        <translation>Gespeichert.</translation>
     </message>
     <message>
-        <source>Not saved</source>
-        <translation>Nicht gespeichert</translation>
+        <source>Saved. The engine loads it...</source>
+        <translation>Gespeichert. Die Engine lädt es...</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; cannot be written: %2.</source>
-        <translation>&apos;%1&apos; kann nicht geschrieben werden: %2.</translation>
+        <source>✓ Loaded: the engine uses what was saved.</source>
+        <translation>✓ Geladen: Die Engine verwendet, was gespeichert wurde.</translation>
     </message>
     <message>
-        <source>Unsaved changes</source>
-        <translation>Ungespeicherte Änderungen</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has changes that are not saved. Save them?</source>
-        <translation>&apos;%1&apos; hat Änderungen, die nicht gespeichert sind. Speichern?</translation>
+        <source>✗ Not loaded: it has errors, which the window Errors lists.</source>
+        <translation>✗ Nicht geladen: Es hat Fehler, die das Fenster Fehler auflistet.</translation>
     </message>
 </context>
 <context>
@@ -2647,10 +3234,6 @@ Trotzdem speichern?</translation>
     <message>
         <source>Behaviour-based robots: small behaviours side by side, and a coordinator that decides.</source>
         <translation>Verhaltensbasierte Roboter: kleine Verhalten nebeneinander und ein Koordinator, der entscheidet.</translation>
-    </message>
-    <message>
-        <source>&amp;New world...</source>
-        <translation>&amp;Neue Welt...</translation>
     </message>
     <message>
         <source>E&amp;mpty world</source>
@@ -2673,32 +3256,30 @@ Trotzdem speichern?</translation>
         <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
-        <source>New world</source>
-        <translation>Neue Welt</translation>
+        <source>&amp;New world</source>
+        <translation>&amp;Neue Welt</translation>
     </message>
     <message>
-        <source>my world</source>
-        <translation>meine Welt</translation>
+        <source>A room in which a robot collects four resources</source>
+        <translation>Ein Raum, in dem ein Roboter vier Rohstoffe sammelt</translation>
+    </message>
+</context>
+<context>
+    <name>elsie::desktop::StuckNotice</name>
+    <message>
+        <source>Selects the robot, so that the windows show its behaviours</source>
+        <translation>Wählt den Roboter aus, sodass die Fenster seine Verhalten zeigen</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %1 more robots.</source>
+        <translation>
+            <numerusform>Und %1 weiterer Roboter.</numerusform>
+            <numerusform>Und %1 weitere Roboter.</numerusform>
+        </translation>
     </message>
     <message>
-        <source>&amp;Name</source>
-        <translation>&amp;Name</translation>
-    </message>
-    <message>
-        <source>&amp;Length (x)</source>
-        <translation>&amp;Länge (x)</translation>
-    </message>
-    <message>
-        <source>&amp;Width (y)</source>
-        <translation>&amp;Breite (y)</translation>
-    </message>
-    <message>
-        <source>&amp;Boxes, in a ring</source>
-        <translation>&amp;Kisten, im Kreis</translation>
-    </message>
-    <message>
-        <source>&amp;Resources, in the corners</source>
-        <translation>&amp;Rohstoffe, in den Ecken</translation>
+        <source>Select %1</source>
+        <translation>%1 auswählen</translation>
     </message>
 </context>
 <context>
@@ -2877,6 +3458,14 @@ Ausgänge: %3 (%4)</translation>
         <source>Pictures (*.png)</source>
         <translation>Bilder (*.png)</translation>
     </message>
+    <message>
+        <source>The pictures of %1 s are not stored: they are while this window is shown</source>
+        <translation>Die Bilder von %1 s sind nicht gespeichert: Sie werden es nur, solange dieses Fenster zu sehen ist</translation>
+    </message>
+    <message>
+        <source>not stored</source>
+        <translation>nicht gespeichert</translation>
+    </message>
 </context>
 <context>
     <name>elsie::desktop::Workbench</name>
@@ -2968,16 +3557,20 @@ Ausgänge: %3 (%4)</translation>
         <source>Unsaved work cannot be kept for the case of a crash: your data folder is full or read-only. Save the world.</source>
         <translation>Ungespeicherte Arbeit kann nicht für den Fall eines Absturzes bewahrt werden: Ihr Datenordner ist voll oder schreibgeschützt. Speichern Sie die Welt.</translation>
     </message>
+    <message>
+        <source>enter what was typed</source>
+        <translation>Getipptes übernehmen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was typed for %2 and is not entered: %3</source>
+        <translation>&apos;%1&apos; wurde für %2 getippt und ist nicht übernommen: %3</translation>
+    </message>
 </context>
 <context>
     <name>elsie::desktop::WorldEditor</name>
     <message>
         <source>Text of the world</source>
         <translation>Text der Welt</translation>
-    </message>
-    <message>
-        <source>Find...</source>
-        <translation>Suchen...</translation>
     </message>
 </context>
 <context>
