@@ -200,8 +200,9 @@ void Workbench::heard(const Json& event) {
   } else if (what == "plugins") {
     plugin_problems_.clear();
     for (const Json& each : member(event, "problems")) {
-      const Problems found = problems_in(written(each));
-      plugin_problems_.insert(plugin_problems_.end(), found.begin(), found.end());
+      const QString message = written(each);
+      const Problem first = problems_in(message).front();
+      plugin_problems_.push_back({first.file, first.line, message});
     }
     load_catalog();
     if (event.contains("tree")) {

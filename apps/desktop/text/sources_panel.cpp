@@ -13,6 +13,7 @@
 
 #include "elsie/files/write_whole.h"
 
+#include "engine/compiler_messages.h"
 #include "text/code_editor.h"
 #include "text/code_highlighter.h"
 
@@ -207,8 +208,10 @@ void SourcesPanel::set_problems(const std::vector<Problem>& problems) {
   for (SourceEditor* each : editors()) {
     std::vector<Problem> own;
     for (const Problem& problem : problems) {
-      if (problem.line > 0 && QFileInfo(problem.file) == QFileInfo(each->file())) {
-        own.push_back(problem);
+      for (const Problem& place : problems_in(problem.message)) {
+        if (place.line > 0 && QFileInfo(place.file) == QFileInfo(each->file())) {
+          own.push_back(place);
+        }
       }
     }
     each->set_problems(own);
