@@ -373,7 +373,7 @@ TEST_CASE("Playing the past stops when the past is refused") {
                        R"(at) if [ -e "$(dirname "$0")/past" ]; then
       say "{\"answer\":$id,\"refused\":[{\"message\":\"no\"}]}"
     else
-      touch "$(dirname "$0")/past"; say "{\"answer\":$id,\"to_s\":1000}"
+      touch "$(dirname "$0")/past"; say "{\"answer\":$id,\"to_s\":1000,\"time_s\":0}"
     fi ;;
 )");
   ScriptedWindow window(elsie);

@@ -109,7 +109,7 @@ TEST_CASE("The status bar shows simulated time, real-time factor, seed and outco
 
 TEST_CASE("Windows float, hide, and come back as they were left") {
   {
-    Window window;
+    Room window;
     auto* sensors = window.get<QDockWidget>("dock_sensors");
     auto* coordination = window.get<QDockWidget>("dock_coordination");
     CHECK_FALSE(sensors->isVisible());
@@ -119,7 +119,7 @@ TEST_CASE("Windows float, hide, and come back as they were left") {
     CHECK(coordination->isHidden());
     window->close();
   }
-  Window again;
+  Room again;
   CHECK(again.get<QDockWidget>("dock_sensors")->isFloating());
   CHECK(again.get<QDockWidget>("dock_coordination")->isHidden());
   again.act("layout_reset");

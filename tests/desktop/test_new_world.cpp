@@ -75,7 +75,8 @@ TEST_CASE("A behaviour is written, compiled, loaded and given to the selected ro
 
   // What is saved with an error is listed, with its line; the old version stays.
   const QString right = text->whole_text();
-  const QString wrong = QString(right).replace("double speed = 10.0;", "double speed = 10.0");
+  const QString wrong =
+      QString(right).replace("double speed = 10.0;", "double speed = no_such_speed;");
   const qsizetype line = right.left(right.indexOf("double speed")).count('\n') + 1;
   text->selectAll();
   text->insertPlainText(wrong);

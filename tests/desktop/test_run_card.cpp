@@ -37,13 +37,13 @@ TEST_CASE("The end of a run lies over the view, with its hash to copy, and runs 
   const Json end = window.run_to_the_end();
   REQUIRE(wait_for([&] { return card->isVisible(); }));
   CHECK(window->scene().rect().contains(card->geometry()));
-  CHECK(text_in(window, "run_card_title") == "Ended after 2.0 s");
+  CHECK(text_in(window, "run_card_title") == QString("\u2717 Time is up after 2.0 s"));
   CHECK_FALSE(window.get<QLabel>("run_card_why")->isVisible());
   CHECK(text_in(window, "run_card_collisions") == "0");
   CHECK(text_in(window, "run_card_distance").endsWith(" m"));
   const QString hash = text_of(end, "state_hash");
   CHECK(text_in(window, "run_card_hash") == hash);
-  CHECK(card->accessibleName().contains("Ended after 2.0 s"));
+  CHECK(card->accessibleName().contains("Time is up after 2.0 s"));
   CHECK(card->accessibleDescription().contains(hash));
   click_on(window.get<QToolButton>("copy_hash"));
   CHECK(QApplication::clipboard()->text() == hash);

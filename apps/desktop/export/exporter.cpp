@@ -55,7 +55,8 @@ QString Exporter::ask_for_file(const QString& title, const QString& name, const 
 
 std::unique_ptr<SceneView> Exporter::studio(const QSize& pixels, double ratio) {
   auto made = std::make_unique<SceneView>();
-  made->resize((QSizeF(pixels) / ratio).toSize());
+  made->resize(static_cast<int>(std::ceil(pixels.width() / ratio)),
+               static_cast<int>(std::ceil(pixels.height() / ratio)));
   made->set_scene(workbench_.scene(), workbench_.epoch());
   made->overlays() = scene_.overlays();
   made->show_trails(past_);
@@ -92,7 +93,7 @@ void Exporter::write_view(const QString& file, const PictureChoice& choice) {
   connect(
       &workbench_, &Workbench::snapshot, this,
       [this, file, choice, ratio, view] {
-        QImage picture = view->picture(SceneView::kPicture, ratio);
+        QImage picture = view->picture(SceneView::kPicture, ratio).copy(QRect({}, choice.size));
         const bool was_too_large = view->device().isEmpty() && !scene_.device().isEmpty();
         picture.setDevicePixelRatio(1.0);
         const int dots = static_cast<int>(std::lround(choice.dpi / 0.0254));
@@ -200,28 +201,29 @@ void Exporter::add_frame(int number) {
     film_->end();
     return;
   }
-  workbench_.ask({{"do", "at"}, {"time_s", time_s}},
-                 [this, number, film = film_number_](const Json& answer) {
-                   if (!film_ || film != film_number_) {
-                     return;  // cancelled in the meantime
-                   }
-                   if (answer.contains("refused")) {
-                     stop_film(tr("the run went on meanwhile; pause it until the film is written"));
-                     return;
-                   }
-                   // The snapshot of that instant came before the answer.
-                   if (!film_->add(studio_->picture(SceneView::kFilm, film_ratio_))) {
-                     stop_film(film_->error());
-                     return;
-                   }
-                   ++frames_;
-                   progress_->setValue(number);
-                   if (!film_->is_ready()) {
-                     waiting_ = number + 1;
-                   } else {
-                     add_frame(number + 1);
-                   }
-                 });
+  workbench_.ask({{"do", "at"}, {"time_s", time_s}}, [this, number,
+                                                      film = film_number_](const Json& answer) {
+    if (!film_ || film != film_number_) {
+      return;  // cancelled in the meantime
+    }
+    if (answer.contains("refused")) {
+      stop_film(tr("the run went on meanwhile; pause it until the film is written"));
+      return;
+    }
+    // The snapshot of that instant came before the answer.
+    if (!film_->add(
+            studio_->picture(SceneView::kFilm, film_ratio_).copy(QRect({}, film_choice_.size)))) {
+      stop_film(film_->error());
+      return;
+    }
+    ++frames_;
+    progress_->setValue(number);
+    if (!film_->is_ready()) {
+      waiting_ = number + 1;
+    } else {
+      add_frame(number + 1);
+    }
+  });
 }
 
 void Exporter::take_film(bool is_whole) {
