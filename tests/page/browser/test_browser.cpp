@@ -69,9 +69,9 @@ TEST_CASE("Robots are drawn where the recording has them, in the colours of thei
       CHECK(robot["pose"]["x"].get<double>() == Approx(pose.x).margin(1e-4));
       CHECK(robot["pose"]["y"].get<double>() == Approx(pose.y).margin(1e-4));
       CHECK(std::abs(wrap_angle(robot["pose"]["h"].get<double>() - pose.heading_rad)) < 2e-4);
-      CHECK(apart(robot["shown"], robot["colour"]) < 0.2);
+      CHECK(apart(robot["shown"], robot["colour"]) < 0.3);
       // Nothing of that colour was there before.
-      CHECK(apart(robot["at_start"], robot["colour"]) > 0.3);
+      CHECK(apart(robot["at_start"], robot["colour"]) > 0.5);
     }
   }
   CHECK(browser.log().find("CONSOLE") == std::string::npos);
