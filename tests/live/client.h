@@ -79,7 +79,7 @@ class Client {
   void subscribe(std::uint32_t subscription, std::uint32_t channel);
 
   /// Reads to the end; returns the code with which the server closed the connection, 0 for none.
-  int close_code();  // 0: the connection ended without one
+  int close_code();
 
  private:
   class Impl;
