@@ -121,7 +121,7 @@ QSize MainWindow::first_size(const QSize& room, const QSize& frame) {
 
 // Deletes the views before the objects that they show.
 MainWindow::~MainWindow() {
-  const QList<QDockWidget*> all = docks();
+  const QList<QDockWidget*> all = findChildren<QDockWidget*>();
   for (QDockWidget* each : all) {
     each->disconnect(this);
   }

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QLayout>
 #include <QMenu>
 #include <QRegularExpression>
 #include <QSettings>
@@ -59,10 +60,10 @@ void MainWindow::fit_tool_bars() {
   if (worded_px_ == 0) {
     environment_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     for (QAction* each : environment_->actions()) {
-      QWidget* tool = environment_->widgetForAction(each);
-      tool->ensurePolished();
-      worded_px_ += tool->sizeHint().width() + fontMetrics().averageCharWidth();
+      environment_->widgetForAction(each)->ensurePolished();
     }
+    environment_->layout()->invalidate();
+    worded_px_ = environment_->sizeHint().width();
   }
   const bool is_below = toolBarBreak(environment_) || environment_->isFloating() ||
                         toolBarArea(environment_) != toolBarArea(tools_);

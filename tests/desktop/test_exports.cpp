@@ -79,12 +79,12 @@ TEST_CASE("A film goes through ffmpeg in its size and speed, while the window li
   window.run_to_the_end();
   const QString mp4 = window.folder() + "/run.mp4";
   window.file("before", "run.mp4");
-  const bool is_whole = film_of(window, mp4, {"mp4", QSize(320, 180), 2.0}, [&] {
+  const bool is_whole = film_of(window, mp4, {"mp4", QSize(320, 180), 8.0}, [&] {
     CHECK_FALSE(window.get<QProgressDialog>("film_progress")->isModal());
     CHECK(bytes_of(mp4) == "before");
   });
   CHECK(is_whole);
-  const int pictures = static_cast<int>(25.0 / 2.0 * window.bench().latest_s() + 1e-6) + 1;
+  const int pictures = static_cast<int>(25.0 / 8.0 * window.bench().latest_s() + 1e-6) + 1;
   CHECK(bytes_of(mp4).size() == pictures * 320 * 180 * 3);
   const QString words = bytes_of(programs.file("words"));
   CHECK(words.contains("-s 320x180 -r 25 "));
@@ -94,9 +94,9 @@ TEST_CASE("A film goes through ffmpeg in its size and speed, while the window li
   const QByteArray all = bytes_of(mp4);
   CHECK(all.left(320 * 180 * 3) != all.right(320 * 180 * 3));
 
-  CHECK(film_of(window, window.folder() + "/run.webm", {"webm", QSize(320, 180), 4.0}));
+  CHECK(film_of(window, window.folder() + "/run.webm", {"webm", QSize(320, 180), 8.0}));
   CHECK(bytes_of(programs.file("words")).contains("libvpx-vp9"));
-  CHECK(film_of(window, window.folder() + "/run.gif", {"gif", QSize(320, 180), 4.0}));
+  CHECK(film_of(window, window.folder() + "/run.gif", {"gif", QSize(320, 180), 8.0}));
   CHECK(bytes_of(programs.file("words")).contains("paletteuse"));
 }
 

@@ -108,7 +108,7 @@ TEST_CASE("All tools fit a window of 1024 pixels, as icons; a wide one has words
       const auto* more =
           window.get<QToolBar>(name)->findChild<QToolButton*>("qt_toolbar_ext_button");
       REQUIRE(more);
-      CHECK_FALSE(more->isVisible());
+      CHECK(wait_for([&] { return !more->isVisible(); }));
     }
   }
 }

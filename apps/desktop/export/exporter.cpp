@@ -170,6 +170,7 @@ void Exporter::write_film(const QString& file, const FilmChoice& choice) {
   frames_ = 0;
   waiting_.reset();
   studio_ = studio(choice.size, film_ratio_);
+  scene_.setUpdatesEnabled(false);  // it would draw every picture of the film, too
   connect(film_.get(), &FilmWriter::finished, this, &Exporter::take_film);
   connect(film_.get(), &FilmWriter::has_room, this, [this] {
     if (const auto frame = std::exchange(waiting_, std::nullopt)) add_frame(*frame);
@@ -254,6 +255,7 @@ void Exporter::leave_film() {
   film_->disconnect(this);
   film_.release()->deleteLater();  // it may be emitting
   studio_.reset();
+  scene_.setUpdatesEnabled(true);
   if (progress_) {
     progress_->disconnect(this);
     progress_->deleteLater();

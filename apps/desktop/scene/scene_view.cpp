@@ -258,11 +258,15 @@ void SceneView::compose(double ratio) {
                     camera_.seat ? stage_.carrier_of(followed_) : render::kNobody},
                    style);
   constexpr int kStill_ms = 200;  // without a movement
-  refining_.start(kStill_ms);
+  if (isVisible()) refining_.start(kStill_ms);
 }
 
 /// Between two passes, the window takes its events.
 void SceneView::refine() {
+  if (!updatesEnabled()) {  // a film is written
+    refining_.stop();
+    return;
+  }
   photograph_.refine();
   const int passes = photograph_.refined();
   if (photograph_.is_finished() || !photograph_.is_possible()) {
