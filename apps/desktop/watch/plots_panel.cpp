@@ -139,7 +139,8 @@ void PlotsPanel::look_back(std::optional<double> time_s) {
 std::optional<double> PlotsPanel::place_of(double time_s, const QSizeF& size) const {
   const std::vector<picture::LineChart> all = charts(size.width());
   if (all.empty()) return std::nullopt;
-  const QRectF strip(QPointF(), QSizeF(size.width(), size.height() / static_cast<double>(all.size())));
+  const QRectF strip(QPointF(),
+                     QSizeF(size.width(), size.height() / static_cast<double>(all.size())));
   const PlotPlace place = plot_place(strip, all.front(), fontMetrics());
   const double part = (time_s - place.x.low) / place.x.length();
   return part >= 0.0 && part <= 1.0 ? std::optional(place.plot.left() + part * place.plot.width())
