@@ -129,7 +129,7 @@ void MainWindow::make_docks() {
 QList<QDockWidget*> MainWindow::docks() const {
   QList<QDockWidget*> all{docks_.world,   docks_.properties, docks_.coordination, docks_.plots,
                           docks_.text,    docks_.problems,   docks_.vision,       docks_.fuzzy,
-                          docks_.sensors, docks_.graph};
+                          docks_.sensors, docks_.graph,      docks_.source};
   for (const QString& team : teams_shown_) all << teams_[team].dock;
   return all;
 }

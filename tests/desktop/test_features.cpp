@@ -129,7 +129,7 @@ TEST_CASE("Windows float, hide, and come back as they were left") {
 }
 
 TEST_CASE("On a large screen the text stands beside the view, elsewhere below it") {
-  Window window;
+  Room window;
   auto* text = window.get<QDockWidget>("dock_text");
   window->resize(1280, 800);
   window.act("layout_author");
