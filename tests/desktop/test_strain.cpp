@@ -173,7 +173,7 @@ TEST_CASE("A thousand random orders, and the window neither waits nor forgets") 
   WARN("of " << gaps.size() << " turns 99 % took less than " << usual << " ms, all less than "
              << most << " ms; a window is made in " << unit_ms << " ms");
   CHECK(usual < 4.0 * unit_ms);
-  CHECK(most < 16.0 * unit_ms);  // a pass of a picture at rest, see Photograph::refine()
+  CHECK(most < 10.0 * unit_ms);
 
   const QString file = window.file(kRoom, "last.xml");
   window.open(file);

@@ -39,14 +39,19 @@ void check_page(const json& found) {
   CHECK(found["inked"] == true);
 }
 
-/// How far apart two colours are in hue, whatever their brightness: 0 to 2.
+/// A channel of a colour without its grey.
+double tint(const json& colour, std::size_t channel) {
+  return colour[channel].get<double>() -
+         std::min({colour[0].get<double>(), colour[1].get<double>(), colour[2].get<double>()});
+}
+
+/// How far apart two colours are in hue, whatever their brightness and paleness: 0 to 2.
 double apart(const json& a, const json& b) {
-  const auto share = [](const json& colour, int i) {
-    const double sum = colour[0].get<double>() + colour[1].get<double>() + colour[2].get<double>();
-    return colour[static_cast<std::size_t>(i)].get<double>() / std::max(sum, 1.0);
+  const auto share = [](const json& colour, std::size_t i) {
+    return tint(colour, i) / std::max(tint(colour, 0) + tint(colour, 1) + tint(colour, 2), 1.0);
   };
   double sum = 0.0;
-  for (const int i : {0, 1, 2}) sum += std::abs(share(a, i) - share(b, i));
+  for (const std::size_t i : {0, 1, 2}) sum += std::abs(share(a, i) - share(b, i));
   return sum;
 }
 
@@ -69,9 +74,10 @@ TEST_CASE("Robots are drawn where the recording has them, in the colours of thei
       CHECK(robot["pose"]["x"].get<double>() == Approx(pose.x).margin(1e-4));
       CHECK(robot["pose"]["y"].get<double>() == Approx(pose.y).margin(1e-4));
       CHECK(std::abs(wrap_angle(robot["pose"]["h"].get<double>() - pose.heading_rad)) < 2e-4);
-      CHECK(apart(robot["shown"], robot["colour"]) < 0.3);
+      CHECK(apart(robot["shown"], robot["colour"]) < 0.2);
+      CHECK(tint(robot["shown"], 0) + tint(robot["shown"], 2) > 60.0);  // it is no grey
       // Nothing of that colour was there before.
-      CHECK(apart(robot["at_start"], robot["colour"]) > 0.5);
+      CHECK(apart(robot["at_start"], robot["colour"]) > 0.3);
     }
   }
   CHECK(browser.log().find("CONSOLE") == std::string::npos);
