@@ -2,7 +2,9 @@
 
 #include <QElapsedTimer>
 #include <algorithm>
+#include <memory>
 #include <span>
+#include <utility>
 
 #include "elsie/render/renderer.h"
 
@@ -43,6 +45,41 @@ Photograph::~Photograph() = default;
 
 QString Photograph::device() const {
   return renderer_ ? QString::fromStdString(renderer_->device()) : QString();
+}
+
+void Photograph::warm_up() {
+  if (!renderer_ || std::exchange(is_warm_, true)) return;
+  constexpr int kSide = 32;  // px
+  const Colour grey{128, 128, 128};
+  const std::vector<Vector2> triangle{{1.0, 0.0}, {-1.0, 1.0}, {-1.0, -1.0}};
+  render::Scene scene;
+  Image pixel;
+  pixel.width = pixel.height = 1;
+  pixel.bytes = {128, 128, 128};
+  scene.image = {{8.0, 8.0}, std::make_shared<const Image>(pixel)};
+  scene.patches = {{triangle, grey}};
+  for (const auto material : {render::Material::plain, render::Material::wall,
+                              render::Material::wheel, render::Material::glowing}) {
+    scene.boxes.push_back({{}, {1.0, 1.0, 1.0}, grey, render::kNobody, true, material});
+    scene.prisms.push_back({{}, triangle, 1.0, grey, render::kNobody, true, material});
+    scene.cylinders.push_back({{}, 1.0, 1.0, grey, render::kNobody, true, material});
+    scene.balls.push_back({{}, 1.0, grey, render::kNobody, true, material});
+  }
+  scene.marks = {{{}, 1.0, grey}};
+  scene.drawing = scene.strokes = {{{}, {1.0, 1.0, 1.0}, grey}};
+  scene.glows = {{{0.0, 0.0, 1.0}, 1.0, 1.0, grey}};
+  const Frame from{{0.0, 0.0, 9.0}, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}};
+  try {
+    renderer_->compose(scene, {from, {kSide, kSide, 1.0}}, {.arena = {8.0, 8.0}});
+    render::Exposure unseen;
+    unseen.begin(kSide, kSide);
+    for (const auto shadows :
+         {render::Shadows::none, render::Shadows::hard, render::Shadows::soft}) {
+      renderer_->expose(shadows, unseen);
+    }
+  } catch (const render::RenderError&) {
+    renderer_.reset();
+  }
 }
 
 void Photograph::take(const render::Scene& scene, const render::View& view,

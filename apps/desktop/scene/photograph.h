@@ -32,6 +32,9 @@ class Photograph {
   /// The OpenGL renderer; "" without OpenGL.
   QString device() const;
 
+  /// Draws one thing of each kind, unseen: an OpenGL in software compiles each when it is drawn for
+  /// the first time, which takes up to half a second.
+  void warm_up();
   /// Begins another picture, and draws it as finely as the time allows.
   void take(const render::Scene& scene, const render::View& view, const render::Style& style);
   /// Adds a pass with soft shadows.
@@ -50,6 +53,7 @@ class Photograph {
  private:
   bool expose(render::Shadows shadows);
 
+  bool is_warm_ = false;
   std::unique_ptr<render::Renderer> renderer_;
   render::Exposure exposure_;
   std::vector<std::uint32_t> pixels_;

@@ -212,6 +212,12 @@ void SceneView::follow_robot() {
 
 // Painting
 
+/// Once, before there is anything to see.
+void SceneView::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  QTimer::singleShot(0, this, [this] { photograph_.warm_up(); });
+}
+
 void SceneView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   if (!event->oldSize().isValid() || camera_ == all_) {  // the user has not moved it since
