@@ -77,8 +77,7 @@ TEST_CASE("The card of a run is reached and closed by keys, and comes back") {
   CHECK(card->isAncestorOf(QApplication::focusWidget()));
 }
 
-TEST_CASE(
-    "A robot that is stuck is told while the run goes on, and why the run failed at its end") {
+TEST_CASE("A notice names a robot that is stuck; the card of the end says why the run failed") {
   Room window{QString(kTorn)};
   auto* notice = window.get<StuckNotice>("stuck_notice");
   run_until(window, 9.0);

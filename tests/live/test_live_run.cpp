@@ -27,7 +27,7 @@ double seconds(std::uint64_t time_ns) { return static_cast<double>(time_ns) * 1e
 
 }  // namespace
 
-TEST_CASE("A client is told what the server can do, what there is, and how the run goes") {
+TEST_CASE("A client gets the abilities of the server, the channels, and the state of the run") {
   Show show(lively());
   Client client(show.port());
   const json facts = json::parse(client.read().bytes);

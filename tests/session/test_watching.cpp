@@ -348,7 +348,7 @@ constexpr const char* kPulled = R"(<world format="1">
 
 }  // namespace
 
-TEST_CASE("Robots that stand still for ten seconds are told, with what keeps them") {
+TEST_CASE("A robot that stands still for ten seconds is reported with what keeps it there") {
   Session session;
   REQUIRE_FALSE(session.open(kPulled).contains("refused"));
   watch(session, {"stuck"});

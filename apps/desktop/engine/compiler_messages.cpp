@@ -4,17 +4,26 @@
 
 namespace elsie::desktop {
 
+// "pace.cpp:13:7: error: expected ';'"
+std::optional<CompilerLine> compiler_line(const QString& text) {
+  static const QRegularExpression pattern(
+      QStringLiteral("^(\\S[^:]*):(\\d+):(?:\\d+:)?\\s*((?:fatal )?error|warning|note): (.*)$"));
+  const auto match = pattern.match(text);
+  if (!match.hasMatch()) {
+    return std::nullopt;
+  }
+  return CompilerLine{match.captured(1), match.captured(2).toInt(), match.captured(4),
+                      match.captured(3).endsWith(QLatin1String("error"))};
+}
+
 Problems problems_in(const QString& message) {
-  // "pace.cpp:13:7: error: expected ';'", and "(pace.py, line 13)" or "File "pace.py", line 13".
-  static const QRegularExpression compiler(
-      QStringLiteral("^(\\S[^:\\n]*):(\\d+):(?:\\d+:)? (?:fatal )?error: (.*)$"),
-      QRegularExpression::MultilineOption);
+  // "(pace.py, line 13)" or "File "pace.py", line 13".
   static const QRegularExpression python(
       QStringLiteral("(?:File \"([^\"\\n]+)\"|\\(([^(\\n]+\\.py)), line (\\d+)"));
   Problems problems;
-  for (auto all = compiler.globalMatch(message); all.hasNext();) {
-    const auto found = all.next();
-    problems.push_back({found.captured(1), found.captured(2).toInt(), found.captured(3)});
+  for (const QString& text : message.split(u'\n')) {
+    const auto found = compiler_line(text);
+    if (found && found->is_error) problems.push_back({found->file, found->line, found->what});
   }
   if (problems.empty()) {
     QRegularExpressionMatch last;

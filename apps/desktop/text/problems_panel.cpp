@@ -3,34 +3,15 @@
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QHeaderView>
-#include <QRegularExpression>
 #include <QShortcut>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "engine/compiler_messages.h"
 #include "look/icons.h"
 
 namespace elsie::desktop {
 namespace {
-
-/// A place in a compiler's message.
-struct Located {
-  QString file;
-  int line = 0;
-  QString what;
-  bool is_error = false;
-};
-
-std::optional<Located> located_in(const QString& line) {
-  static const QRegularExpression pattern(
-      "^(.+?):(\\d+):(?:\\d+:)?\\s*((?:fatal )?error|warning|note): (.*)$");
-  const auto match = pattern.match(line);
-  if (!match.hasMatch()) {
-    return std::nullopt;
-  }
-  return Located{match.captured(1), match.captured(2).toInt(), match.captured(4),
-                 match.captured(3).endsWith("error")};
-}
 
 void set_place(QTreeWidgetItem& item, const QString& file, int line) {
   item.setData(0, Qt::UserRole, file);
@@ -92,12 +73,12 @@ void ProblemsPanel::set_problems(const std::vector<Problem>& problems) {
 void ProblemsPanel::add_lines(QTreeWidgetItem& problem, const QStringList& lines) {
   const QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
   bool has_error = false;
-  Located last;
+  CompilerLine last;
   for (const QString& line : lines) {
     auto* item = new QTreeWidgetItem(&problem, {line});
     item->setFont(0, fixed);
     item->setToolTip(0, line);
-    const auto located = located_in(line);
+    const auto located = compiler_line(line);
     if (located) last = *located;
     if (last.line > 0) {  // the lines after it show the place
       item->setData(0, Qt::UserRole, last.file);

@@ -92,7 +92,7 @@ class Hub {
     Outbox outbox{};
     std::map<std::uint32_t, Subscription> subscriptions{};  // by their ids
     bool watches_parameters = false;
-    bool is_idle = true;  // it was told that nothing waits
+    bool is_idle = true;  // its sender waits for a frame, and must be woken
   };
 
   void push(Client& client, Frame frame);
