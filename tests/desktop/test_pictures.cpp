@@ -358,6 +358,7 @@ TEST_CASE("Pictures: the end of a run, a robot that is stuck, and a behaviour th
   window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
   REQUIRE(wait_for([&] { return window.bench().text().contains("<steady/>"); }));
   keep(window.window(), "source");
+  window.step();  // so that there is something to film
   for (const char* action : {"export_film", "export_picture"}) {
     keep_modal(QString("dialog_") + action, [](QDialog* modal) { modal->reject(); });
     window.act(action);

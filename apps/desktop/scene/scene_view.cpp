@@ -341,7 +341,7 @@ void SceneView::paint(QPainter& painter, bool with_handles) {
     if (!trails.isNull()) painter.drawImage(QPoint(0, 0), trails);
     if (overlays_.sketches) over.strokes(sketch_lines(stage_));
   }
-  if (overlays_.grid) over.scale();
+  if (overlays_.grid && !camera_.seat) over.scale();
   over.rings();
   if (overlays_.sketches) over.sketches();
   if (overlays_.names) over.names();
