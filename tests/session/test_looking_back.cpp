@@ -1,7 +1,8 @@
-// Sessions: the past of a run, the command that repeats it, recordings, new plugins.
+// Sessions: the past of a run, the command that repeats it, recordings, pictures.
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 
 #include "session.h"
@@ -237,65 +238,28 @@ TEST_CASE("A recording that cannot be made refuses the start of the run, once") 
   CHECK(std::filesystem::is_regular_file(file));
 }
 
-TEST_CASE("A plugin that changes on disk is taken, before, in and after a run") {
+TEST_CASE("The present is drawn from above, with the paths so far, as a file of any kind") {
   const test::Workplace place;
-  const auto write = [&](const std::string& name, const char* speed) {
-    place.write("mine.cpp", std::string("#include <elsie/api/behavior.h>\n"
-                                        "class Mine final : public elsie::Behavior {\n"
-                                        " public:\n"
-                                        "  double speed = ") +
-                                speed +
-                                ";\n"
-                                "  elsie::Response respond(const elsie::Perception&) override {\n"
-                                "    return elsie::Motion{.forward = speed};\n"
-                                "  }\n"
-                                "};\n"
-                                "ELSIE_BEHAVIOR(Mine, \"" +
-                                name + "\", \"drives\",\n" +
-                                "  elsie::parameter(\"speed\", &Mine::speed, {}));\n");
-  };
-  write("mine", "0.1");
-  Session session({"--plugin", place.file("mine.cpp").string()});
-  std::string text = kRoom;
-  text.replace(text.find("turn_left"), 9, "mine");
-  text.replace(text.find("time=\"2\""), 8, "time=\"1000\"");
-  const Json opened = session.open(text);
-  INFO(opened.dump());
-  REQUIRE_FALSE(opened.contains("refused"));
-  const auto default_speed = [&] {
-    const Json catalog = session.ask({{"do", "catalog"}});
-    for (const Json& plugin : catalog["plugins"]) {
-      if (plugin["name"] == "mine") {
-        return plugin["parameters"][0]["default"].get<double>();
-      }
-    }
-    return 0.0;
-  };
-  CHECK(default_speed() == 0.1);
-
-  write("mine", "0.2");
-  const Json before = session.event("plugins");
-  INFO(before.dump());
-  CHECK(before["problems"].empty());
-  CHECK(before["files"].size() == 1);
-  CHECK(before["epoch"] > opened["epoch"]);
-  CHECK(default_speed() == 0.2);
-
-  session.ask({{"do", "speed"}, {"factor", 1}});
-  session.ask({{"do", "run"}});
-  write("mine", "0.05");
-  CHECK(session.event("plugins")["problems"].empty());
-  CHECK(default_speed() == 0.05);
-  session.step();
-  session.ask({{"do", "watch"}, {"what", {"decisions"}}});
-  CHECK(session.event("state")["robots"][0]["asked"][0] == 0.05);
-
-  write("yours", "0.3");  // the world could not be read with it
-  const Json kept = session.event("plugins");
-  INFO(kept.dump());
-  CHECK_FALSE(kept["problems"].empty());
-  session.step();
-  CHECK(session.ask({{"do", "reset"}})["text"] == text);
+  Session session;
+  session.open(kRoom);
+  session.step(50);
+  for (const auto& [name, begins] : std::map<std::string, std::string>{
+           {"now.png", "\x89PNG"}, {"now.svg", "<?xml"}, {"now.pdf", "%PDF"}}) {
+    CAPTURE(name);
+    const Json answer =
+        session.ask({{"do", "picture"}, {"file", place.file(name).string()}, {"width", 400}});
+    CHECK(answer["warnings"] == Json::array());
+    CHECK(place.read(name).starts_with(begins));
+  }
+  SECTION("what cannot be drawn is refused with a sentence, and the run goes on") {
+    const Json refused =
+        session.ask({{"do", "picture"}, {"file", place.file("none/now.png").string()}});
+    REQUIRE(refused.contains("refused"));
+    CHECK_THAT(refused["refused"][0]["message"].get<std::string>(), Catch::Contains("now.png"));
+    CHECK(session.ask({{"do", "picture"}, {"file", place.file("now.gif").string()}})
+              .contains("refused"));
+    session.step();
+  }
 }
 
 TEST_CASE("A run goes on to a time as fast as it can, and says that it pauses there") {
