@@ -43,7 +43,7 @@ void Outbox::forget(std::uint64_t stream) {
   waiting_.erase(stream);
 }
 
-void Outbox::remove(std::deque<Frame>::iterator at) {
+void Outbox::remove(const std::deque<Frame>::iterator& at) {
   if (at->stream) {
     message_bytes_ -= at->size();
     --waiting_[*at->stream];

@@ -41,7 +41,7 @@ class Outbox {
   std::uint64_t dropped() const { return dropped_; }
 
  private:
-  void remove(std::deque<Frame>::iterator at);
+  void remove(const std::deque<Frame>::iterator& at);
 
   std::deque<Frame> frames_;
   std::map<std::uint64_t, std::size_t> waiting_;  // messages, by stream
