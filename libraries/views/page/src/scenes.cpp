@@ -74,10 +74,12 @@ std::string image_text(const Image& image) {
   Image small{image.width / skip, image.height / skip, image.channels, {}};
   for (int row = 0; row < small.height; ++row) {
     for (int column = 0; column < small.width; ++column) {
-      const auto at =
-          static_cast<std::size_t>((row * skip * image.width + column * skip) * image.channels);
-      for (std::size_t i = 0; i < static_cast<std::size_t>(image.channels); ++i) {
-        small.bytes.push_back(image.bytes[at + i]);
+      const std::size_t pixel =
+          static_cast<std::size_t>(row * skip) * static_cast<std::size_t>(image.width) +
+          static_cast<std::size_t>(column * skip);
+      const auto channels = static_cast<std::size_t>(image.channels);
+      for (std::size_t i = 0; i < channels; ++i) {
+        small.bytes.push_back(image.bytes[pixel * channels + i]);
       }
     }
   }

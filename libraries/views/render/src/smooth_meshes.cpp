@@ -142,8 +142,9 @@ SmoothMesh ball_mesh() {
     return Vector3{std::cos(up) * std::cos(round), std::cos(up) * std::sin(round), std::sin(up)};
   };
   for (int ring = 0; ring <= kBallRings; ++ring) {
-    for (int side = 0; side < kBallSides; ++side)
+    for (int side = 0; side < kBallSides; ++side) {
       build.corner(place(ring, side), place(ring, side));
+    }
   }
   for (int ring = 0; ring < kBallRings; ++ring) {
     for (int side = 0; side < kBallSides; ++side) {
