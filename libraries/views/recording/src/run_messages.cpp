@@ -96,9 +96,13 @@ class RunMessages::Impl {
       write_event(simulation, simulation.events()[i]);
     }
     for (RobotChannels& channels : robots_) {
-      if (decided) write_trace(channels, simulation.robot(channels.place));
-      GraphNews all;  // so that the others miss nothing
+      const RobotView robot = simulation.robot(channels.place);
+      if (decided) write_trace(channels, robot);
+      GraphNews all;
       put_graphs(simulation, channels, all, decided ? decided_ns_ : now(simulation));
+      // What is compared with next: decisions that nobody wanted were not remembered.
+      if (decided) channels.rows.changed(robot);
+      channels.graph_news = std::move(all);
     }
     write_fields(simulation);
     write_state(simulation, decided, decided, period_s);
