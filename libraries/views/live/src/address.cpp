@@ -4,8 +4,6 @@
 #include <optional>
 #include <string_view>
 
-#include <arpa/inet.h>
-
 #include "elsie/base/error.h"
 
 #include "gate.h"
@@ -18,12 +16,6 @@ std::optional<std::uint16_t> port_of(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return port;
-}
-
-bool is_numeric(const std::string& host) {
-  unsigned char bytes[sizeof(in6_addr)];
-  return inet_pton(AF_INET, host.c_str(), bytes) == 1 ||
-         inet_pton(AF_INET6, host.c_str(), bytes) == 1;
 }
 
 }  // namespace

@@ -28,13 +28,6 @@ std::string host_of(std::string_view authority) {
   return lower(authority.substr(0, authority.find(':')));
 }
 
-/// A number cannot lead to another machine tomorrow, a name can.
-bool is_number(const std::string& host) {
-  unsigned char bytes[sizeof(in6_addr)];
-  return inet_pton(AF_INET, host.c_str(), bytes) == 1 ||
-         inet_pton(AF_INET6, host.c_str(), bytes) == 1;
-}
-
 bool is_welcome(std::string_view origin, std::span<const std::string> origins) {
   if (std::find(std::begin(kFoxglove), std::end(kFoxglove), origin) != std::end(kFoxglove) ||
       std::find(origins.begin(), origins.end(), origin) != origins.end()) {
@@ -48,9 +41,15 @@ bool is_welcome(std::string_view origin, std::span<const std::string> origins) {
 
 }  // namespace
 
+bool is_numeric(const std::string& host) {
+  unsigned char bytes[sizeof(in6_addr)];
+  return inet_pton(AF_INET, host.c_str(), bytes) == 1 ||
+         inet_pton(AF_INET6, host.c_str(), bytes) == 1;
+}
+
 bool is_loopback(std::string_view host) {
   return host == "localhost" || host == "::1" ||
-         (host.starts_with("127.") && is_number(std::string(host)));
+         (host.starts_with("127.") && is_numeric(std::string(host)));
 }
 
 std::optional<Protocol> protocol_of(const Visitor& visitor) {
@@ -70,7 +69,7 @@ std::optional<Protocol> protocol_of(const Visitor& visitor) {
 std::optional<std::string> refusal_of(const Visitor& visitor,
                                       std::span<const std::string> origins) {
   const std::string host = host_of(visitor.host);
-  if (!is_loopback(host) && !is_number(host)) {
+  if (!is_loopback(host) && !is_numeric(host)) {
     return "the host '" + std::string(visitor.host) +
            "' is no numeric address; connect to an address such as 127.0.0.1, or to localhost";
   }

@@ -9,6 +9,8 @@
 
 namespace elsie::live {
 
+/// An address of IPv4 or IPv6. It cannot lead to another machine tomorrow, as a name can.
+bool is_numeric(const std::string& host);
 /// "localhost", 127.x.y.z or ::1.
 bool is_loopback(std::string_view host);
 
