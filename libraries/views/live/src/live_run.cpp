@@ -271,7 +271,10 @@ class LiveRun::Impl : private simulation::Observer {
     hub_.say_time(nanoseconds(shown.time_s()));
   }
   /// Simulated time from one picture to the next; twice that, because pictures are late at times.
-  double period_s() const { return std::max(2.0 * speed_ * kBetweenPictures.count(), 2 * step_s_); }
+  double period_s() const {
+    constexpr double kMost = 1e9;  // s: its nanoseconds fit, whatever the speed
+    return std::min(std::max(2.0 * speed_ * kBetweenPictures.count(), 2 * step_s_), kMost);
+  }
 
   /// Whether the simulation is at this time, after a decision: only then all of it is of one time.
   bool has_reached(const Simulation& simulation, double time_s) const {

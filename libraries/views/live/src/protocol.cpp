@@ -103,7 +103,7 @@ double speed_of(double speed) {
 }
 
 std::uint64_t time_of(double time_s) {
-  constexpr double kMost = 1e10;  // longer than any run
+  constexpr double kMost = 9e9;  // s: longer than any run, and its nanoseconds fit
   if (time_s < 0.0) throw Wrong("'time_s' is below 0; expected a time in seconds");
   return static_cast<std::uint64_t>(std::llround(std::min(time_s, kMost) * 1e9));
 }
