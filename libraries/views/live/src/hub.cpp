@@ -6,6 +6,7 @@ namespace elsie::live {
 namespace {
 
 constexpr std::size_t kMostOrders = 1000;                       // that wait for the run
+constexpr std::size_t kMostRefusals = 10;                       // sentences about one request
 constexpr std::uint64_t kTimeStream = std::uint64_t{1} << 32U;  // no subscription has this id
 
 template <class... Each>
@@ -238,33 +239,38 @@ void Hub::push_binary(Client& client, std::string bytes) {
 }
 
 void Hub::subscribe(ClientId id, Client& client, const Subscribe& request) {
+  std::size_t refused = 0;
+  const auto refuse = [&](Level level, std::uint32_t subscription, const std::string& why) {
+    if (++refused > kMostRefusals) return;
+    push_text(client, status(level, "the subscription " + std::to_string(subscription) + why));
+  };
   for (const auto& [subscription, channel] : request.channels) {
     const auto found = channels_.find(channel);
-    const std::string what = "the subscription " + std::to_string(subscription);
     if (found == channels_.end()) {
-      push_text(client,
-                status(Level::warning, what + " is to the channel " + std::to_string(channel) +
-                                           ", which does not exist (any more)"));
+      refuse(Level::warning, subscription,
+             " is to the channel " + std::to_string(channel) + ", which does not exist (any more)");
     } else if (client.subscriptions.contains(subscription)) {
-      push_text(client, status(Level::error, what + " exists already"));
+      refuse(Level::error, subscription, " exists already");
     } else if (found->second.subscriptions.contains(id)) {
-      push_text(client,
-                status(Level::error, what + " is to the channel " + std::to_string(channel) +
-                                         ", to which there is one already"));
+      refuse(Level::error, subscription,
+             " is to the channel " + std::to_string(channel) + ", to which there is one already");
     } else {
       found->second.subscriptions.emplace(id, subscription);
       client.subscriptions.emplace(subscription, Subscription{channel});
       has_new_ = true;
     }
   }
+  say_rest(client, refused);
   wish();
   news_.notify_all();
 }
 
 void Hub::unsubscribe(ClientId id, Client& client, const Unsubscribe& request) {
+  std::size_t refused = 0;
   for (const std::uint32_t subscription : request.subscriptions) {
     const auto found = client.subscriptions.find(subscription);
     if (found == client.subscriptions.end()) {
+      if (++refused > kMostRefusals) continue;
       push_text(client,
                 status(Level::warning, "there is no subscription " + std::to_string(subscription)));
       continue;
@@ -273,7 +279,16 @@ void Hub::unsubscribe(ClientId id, Client& client, const Unsubscribe& request) {
     client.subscriptions.erase(found);
     client.outbox.forget(subscription);
   }
+  say_rest(client, refused);
   wish();
+}
+
+/// A request may name half a million subscriptions, and the run waits while it is answered.
+void Hub::say_rest(Client& client, std::size_t refused) {
+  if (refused <= kMostRefusals) return;
+  push_text(client,
+            status(Level::warning, std::to_string(refused - kMostRefusals) +
+                                       " more subscriptions of this request are refused likewise"));
 }
 
 void Hub::wish() { ++wishes_; }

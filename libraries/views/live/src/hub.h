@@ -100,6 +100,7 @@ class Hub {
   void push_binary(Client& client, std::string bytes);
   void subscribe(ClientId id, Client& client, const Subscribe& request);
   void unsubscribe(ClientId id, Client& client, const Unsubscribe& request);
+  void say_rest(Client& client, std::size_t refused);
   void wish();  // what is wanted has changed
 
   mutable std::mutex mutex_;
