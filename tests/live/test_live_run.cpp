@@ -174,6 +174,19 @@ TEST_CASE("A request that follows a seek at once does not undo it") {
   }
 }
 
+TEST_CASE("A run that a viewer has made almost stand still goes on when one wants it") {
+  world::World world = lively();
+  world.physics.control_steps = 10;  // decisions are rare, and orders are obeyed after them
+  Show show(world, 1.0);
+  Client client(show.port());
+  client.steer(true, 1e-30F, std::nullopt, "slow");
+  CHECK(client.state("slow").status == 0);
+  client.steer(true, 1000.0F, std::nullopt, "quick");
+  CHECK(client.state("quick").speed == 1000.0F);
+  client.steer(true, 1e30F, std::nullopt, "quicker");  // and no speed is too high
+  client.state_that([](const auto& state) { return state.status == 3; });
+}
+
 TEST_CASE("The older protocol holds a run by parameters") {
   Show show(lively());
   Client client(show.port(), {.protocols = "foxglove.websocket.v1"});
@@ -338,6 +351,15 @@ TEST_CASE("Frames that mean nothing are answered, and too large ones end their c
   client.send({{"op", "subscribe"}, {"subscriptions", {{{"id", 1}, {"channelId", 100'000}}}}});
   CHECK_THAT(client.text("status").at("message").get<std::string>(),
              Catch::Contains("the channel 100000, which does not exist"));
+  INFO("A request that is wrong a thousand times gets ten sentences, and one about the rest");
+  json all = json::array();
+  for (int i = 0; i < 1000; ++i) all.push_back(i);
+  client.send({{"op", "unsubscribe"}, {"subscriptionIds", all}});
+  for (int i = 0; i < 10; ++i) {
+    CHECK(client.text("status").at("message") == "there is no subscription " + std::to_string(i));
+  }
+  CHECK_THAT(client.text("status").at("message").get<std::string>(),
+             Catch::StartsWith("990 more subscriptions"));
   // The server closes before all of it is sent: the code may be lost on the way.
   try {
     large.send_text(std::string(2U << 20U, 'x'));

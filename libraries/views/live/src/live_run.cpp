@@ -119,6 +119,8 @@ class LiveRun::Impl : private simulation::Observer {
       if (hub_.has_new() && !target_s_) sink_.repeat([&] { messages_.repeat(shown, period_s()); });
       const bool is_run = !is_past_shown_;
       if (is_run && !has_ended_ && target_s_) return;
+      // Orders are obeyed after a decision. It comes at once, however low the speed is.
+      if (is_run && !has_ended_ && !run.decided() && hub_.has_orders()) return;
       const bool can_step = !is_run || !has_ended_;
       const Seconds early = can_step && is_playing_ ? until_due(shown) : kNap;
       if (early > Seconds::zero()) {
