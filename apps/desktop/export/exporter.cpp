@@ -60,7 +60,7 @@ std::unique_ptr<SceneView> Exporter::studio(const QSize& pixels, double ratio) {
   made->set_scene(workbench_.scene(), workbench_.epoch());
   made->overlays() = scene_.overlays();
   made->show_trails(past_);
-  made->follow(scene_.followed());
+  made->follow(scene_.followed(), scene_.follows());
   made->camera() = scene_.camera();
   connect(&workbench_, &Workbench::snapshot, made.get(), &SceneView::take);
   connect(&workbench_, &Workbench::state, made.get(), &SceneView::take_state);
