@@ -3,6 +3,7 @@ const inflate = (packed) => {
   let out = new Uint8Array(packed.length * 6), size = 0, at = 0, held = 0, bits = 0;
   const take = (count) => {
     while (bits < count) {
+      if (at >= packed.length) throw new Error("the data of this page are cut off");
       held |= packed[at++] << bits;
       bits += 8;
     }

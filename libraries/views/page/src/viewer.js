@@ -1,6 +1,14 @@
 // The page: what the user does, and what follows from it.
 const find = (id) => document.getElementById(id);
-const run = new Run(JSON.parse(new TextDecoder().decode(inflate(bytes_of(find("data").textContent.trim())))));
+const read_run = () => {
+  try {
+    return new Run(JSON.parse(new TextDecoder().decode(inflate(bytes_of(find("data").textContent.trim())))));
+  } catch (error) {
+    document.querySelector(".outcome").textContent = "The data of this page are damaged: get the file again, or make it anew with elsie page.";
+    throw error;
+  }
+};
+const run = read_run();
 const timeline = new Timeline(run, find("rows"), find("chart"), find("axis"));
 const state = {time: 0, playing: false, speed: 1, robot: run.robots[0] ?? null};
 const options = {trails: true, sketches: true, names: true};
@@ -244,7 +252,7 @@ document.addEventListener("keydown", (event) => {
     t: commands.top,
     f: commands.follow,
   };
-  if (event.key === " " && event.target.tagName === "BUTTON") return;
+  if (event.key === " " && ["BUTTON", "SUMMARY"].includes(event.target.tagName)) return;
   const digit = /^[1-9]$/.test(event.key) ? run.robots[Number(event.key) - 1] : null;
   const act = digit ? () => choose(digit) : acts[event.key];
   if (!act) return;
