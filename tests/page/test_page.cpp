@@ -36,12 +36,7 @@ std::string between(const std::string& html, const std::string& before, const st
 }
 
 std::string policy_hash(const std::string& text) {
-  const std::string hex = results::sha256(text);
-  std::string bytes;
-  for (std::size_t i = 0; i < hex.size(); i += 2) {
-    bytes += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
-  }
-  return "'sha256-" + files::base64(bytes) + "'";
+  return files::policy_hash(results::sha256(text));
 }
 
 /// The numbers after "poses every".

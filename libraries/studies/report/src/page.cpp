@@ -47,16 +47,6 @@ std::string anchor(std::size_t cell) { return "cell-" + std::to_string(cell + 1)
 
 namespace {
 
-// "sha256-...", in base64: permits the script in the page's content security policy.
-std::string policy_hash(const std::string& script) {
-  const std::string hex = results::sha256(script);
-  std::string bytes;
-  for (std::size_t i = 0; i < hex.size(); i += 2) {
-    bytes += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
-  }
-  return "sha256-" + files::base64(bytes);
-}
-
 // This many cells with all figures make at most a megabyte.
 constexpr std::size_t kMostInDetail = 100;
 
@@ -111,9 +101,9 @@ std::string html_report(const Findings& findings, const ResultsFile& file,
   // Under this policy, the browser refuses anything that a label could inject, and all requests.
   return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-         "'unsafe-inline'; script-src '" +
-         policy_hash(script) +
-         "'; img-src data:; base-uri 'none'; form-action 'none'\">\n"
+         "'unsafe-inline'; script-src " +
+         files::policy_hash(results::sha256(script)) +
+         "; img-src data:; base-uri 'none'; form-action 'none'\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
          "<meta name=\"color-scheme\" content=\"light dark\">\n"
          "<meta name=\"generator\" content=\"elsie report\">\n"

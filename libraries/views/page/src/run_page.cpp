@@ -37,15 +37,6 @@ using recording::RecordedRun;
 
 std::string escaped(std::string_view text) { return world::escaped_attribute(files::clean(text)); }
 
-/// As a content security policy names a hash.
-std::string policy_hash(std::string_view hexadecimal) {
-  std::string bytes;
-  for (std::size_t i = 0; i < hexadecimal.size(); i += 2) {
-    bytes += static_cast<char>(std::stoi(std::string(hexadecimal.substr(i, 2)), nullptr, 16));
-  }
-  return "'sha256-" + files::base64(bytes) + "'";
-}
-
 /// DEFLATE (RFC 1951) without a header.
 std::string deflated(const std::string& bytes) {
   z_stream stream{};
@@ -267,16 +258,17 @@ RunPage run_page(const std::filesystem::path& recording, const plugin::Host& dri
 
   RunPage page;
   page.poses_every_s = run.period_s * film.pose_every();
-  page.html = filled(kPage, {{"policy", "default-src 'none'; style-src " + policy_hash(kStyleHash) +
-                                            "; script-src " + policy_hash(kScriptHash) +
-                                            "; img-src data:; base-uri 'none'; form-action 'none'"},
-                             {"style", kStyle},
-                             {"script", kScript},
-                             {"title", escaped(run.world.empty() ? "a run" : run.world)},
-                             {"summary", escaped(subtitle(run))},
-                             {"outcome", escaped(run.result ? run.result->outcome : "none")},
-                             {"facts", facts(run, page.poses_every_s)},
-                             {"data", data}});
+  page.html =
+      filled(kPage, {{"policy", "default-src 'none'; style-src " + files::policy_hash(kStyleHash) +
+                                    "; script-src " + files::policy_hash(kScriptHash) +
+                                    "; img-src data:; base-uri 'none'; form-action 'none'"},
+                     {"style", kStyle},
+                     {"script", kScript},
+                     {"title", escaped(run.world.empty() ? "a run" : run.world)},
+                     {"summary", escaped(subtitle(run))},
+                     {"outcome", escaped(run.result ? run.result->outcome : "none")},
+                     {"facts", facts(run, page.poses_every_s)},
+                     {"data", data}});
   return page;
 }
 

@@ -30,6 +30,17 @@ inline std::string base64(std::string_view bytes) {
   return text;
 }
 
+/// How a content security policy names a script or style by its SHA-256, which is given in
+/// hexadecimal digits: "'sha256-...'".
+inline std::string policy_hash(std::string_view hexadecimal) {
+  const auto digit = [](char c) { return c <= '9' ? c - '0' : (c | 0x20) - 'a' + 10; };
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < hexadecimal.size(); i += 2) {
+    bytes += static_cast<char>(16 * digit(hexadecimal[i]) + digit(hexadecimal[i + 1]));
+  }
+  return "'sha256-" + base64(bytes) + "'";
+}
+
 /// The bytes of such a text; none if it is not one.
 inline std::optional<std::string> from_base64(std::string_view text) {
   static constexpr std::uint8_t kNone = 64;
