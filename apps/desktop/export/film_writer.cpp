@@ -6,7 +6,12 @@
 #include <QStandardPaths>
 #include <QTimer>
 #include <filesystem>
+#include <fstream>
+#include <string>
 #include <system_error>
+#include <utility>
+
+#include "elsie/files/write_whole.h"
 
 #include "export/film.h"
 
@@ -18,6 +23,19 @@ constexpr double kGifRate = 12.5;   // its files are large
 constexpr qint64 kMostPending = 4;  // pictures in the pipe
 
 QString ending_of(const QString& file) { return QFileInfo(file).suffix().toLower(); }
+
+/// Those that the file has; for a new one, what the user's mask leaves.
+std::filesystem::perms permissions_of(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (std::filesystem::exists(status)) return status.permissions();
+  unsigned mask = 022;
+  std::ifstream facts("/proc/self/status");  // asking umask() would change it for other threads
+  for (std::string word; facts >> word;) {
+    if (word == "Umask:") facts >> std::oct >> mask;
+  }
+  return static_cast<std::filesystem::perms>(0666U & ~mask);
+}
 
 /// What ffmpeg is asked to write.
 const QHash<QString, QStringList>& encodings() {
@@ -71,7 +89,9 @@ double FilmWriter::rate_of(const QString& file) {
 }
 
 PipedFilm::PipedFilm(const QString& file, const QSize& size)
-    : file_(file), size_(size), written_(file + QStringLiteral(".XXXXXX")) {
+    : file_(QString::fromStdString(files::end_of_links(file.toStdString()).string())),
+      size_(size),
+      written_(file_ + QStringLiteral(".XXXXXX")) {
   if (!written_.open()) {
     why_ = written_.errorString();
     return;
@@ -146,9 +166,10 @@ void PipedFilm::finish() {
   if (why_.isEmpty()) {
     std::error_code error;
     written_.close();
-    written_.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup |
-                            QFile::ReadOther);
-    std::filesystem::rename(written_.fileName().toStdString(), file_.toStdString(), error);
+    const std::filesystem::path written = written_.fileName().toStdString();
+    const std::filesystem::path file = file_.toStdString();
+    std::filesystem::permissions(written, permissions_of(file), error);
+    if (!error) std::filesystem::rename(written, file, error);
     if (error) {
       why_ = QString::fromStdString(error.message());
     } else {
