@@ -143,6 +143,29 @@ TEST_CASE("A source that is not saved is asked about before the window closes") 
   CHECK(bytes_of(source) == "// more\n// mine\n");
 }
 
+TEST_CASE("A source that another program has changed is overwritten only at the second try") {
+  Room window;
+  const QString source = window.file("// mine\r\n", "mine.cpp");
+  auto* sources = window->findChild<SourcesPanel*>();
+  REQUIRE(sources->open(source).isEmpty());
+  window.get<CodeEditor>("source_text")->insertPlainText("// more\n");
+  window.file("// theirs\r\n", "mine.cpp");
+  CHECK(sources->save_all().contains("has been changed by another program"));
+  CHECK(bytes_of(source) == "// theirs\r\n");
+  CHECK(sources->save_all().isEmpty());
+  CHECK(bytes_of(source) == "// more\r\n// mine\r\n");  // line ends stay
+}
+
+TEST_CASE("A source that is not in UTF-8 is not opened, because saving would damage it") {
+  Room window;
+  const QString source = window.folder() + "/old.cpp";
+  QFile file(source);
+  REQUIRE(file.open(QIODevice::WriteOnly));
+  file.write("// M\xfcller\n");
+  file.close();
+  CHECK(window->findChild<SourcesPanel*>()->open(source).contains("is not in UTF-8"));
+}
+
 TEST_CASE("Help opens the tutorial and the page of the selected plugin, without a network") {
   Room window;
   window.act("tutorial");

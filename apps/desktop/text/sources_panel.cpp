@@ -6,10 +6,12 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QStringDecoder>
 #include <QTabWidget>
 #include <QTextDocument>
 #include <QVBoxLayout>
 #include <cstring>
+#include <utility>
 
 #include "elsie/files/write_whole.h"
 
@@ -93,22 +95,42 @@ QString SourceEditor::open(const QString& file) {
     return tr("'%1' cannot be read: %2.")
         .arg(file, opened.isOpen() ? tr("it is too long for a source") : opened.errorString());
   }
+  const QByteArray bytes = opened.readAll();
+  QStringDecoder decoder(QStringDecoder::Utf8);
+  const QString text = decoder(bytes);
+  if (decoder.hasError()) {
+    return tr("'%1' is not in UTF-8, and saving it here would damage it. Convert it first, for "
+              "example with 'iconv -f LATIN1 -t UTF-8'.")
+        .arg(file);
+  }
   file_ = file;
+  on_disk_ = bytes;
+  has_line_ends_of_windows_ = bytes.contains("\r\n");
   highlighter_->set_language(file.endsWith(QLatin1String(".py")) ? CodeHighlighter::Language::python
                                                                  : CodeHighlighter::Language::cpp);
-  text_->setPlainText(QString::fromUtf8(opened.readAll()));
+  text_->setPlainText(text);
   text_->document()->setModified(false);
   return {};
 }
 
 QString SourceEditor::save() {
-  const int error =
-      files::write_whole(file_.toStdString(), text_->whole_text().toUtf8().toStdString());
+  QFile there(file_);
+  if (there.open(QIODevice::ReadOnly)) {
+    if (const QByteArray now = there.readAll(); now != std::exchange(on_disk_, now)) {
+      return tr("'%1' has been changed by another program, and is not overwritten. Save again to "
+                "replace it by the text in this window.")
+          .arg(file_);
+    }
+  }
+  QByteArray bytes = text_->whole_text().toUtf8();
+  if (has_line_ends_of_windows_) bytes.replace("\n", "\r\n");
+  const int error = files::write_whole(file_.toStdString(), bytes.toStdString());
   if (error != 0) {
     return tr("'%1' cannot be written: %2. The text stays here; make room, or allow writing there, "
               "and save again.")
         .arg(file_, QString::fromLocal8Bit(strerror(error)));
   }
+  on_disk_ = bytes;
   text_->document()->setModified(false);
   return {};
 }

@@ -1,6 +1,7 @@
 // The sources of plugins that are written in the window.
 #pragma once
 
+#include <QByteArray>
 #include <QWidget>
 #include <vector>
 
@@ -25,7 +26,8 @@ class SourceEditor : public QWidget {
   /// Returns "", or why the file cannot be read.
   QString open(const QString& file);
   const QString& file() const { return file_; }
-  /// Returns "", or why the file cannot be written.
+  /// Returns "", or why the file cannot be written. A file that another program has changed is
+  /// only overwritten at the second call. Line ends stay as they are.
   QString save();
   bool is_modified() const;
   void say(const QString& state);
@@ -39,6 +41,8 @@ class SourceEditor : public QWidget {
 
  private:
   QString file_;
+  QByteArray on_disk_;  // when it was last read or written here, or found changed
+  bool has_line_ends_of_windows_ = false;
   CodeEditor* text_;
   CodeHighlighter* highlighter_;
   QPushButton* save_;

@@ -3202,6 +3202,14 @@ Trotzdem speichern?</translation>
         <translation>sie ist zu lang für einen Quelltext</translation>
     </message>
     <message>
+        <source>&apos;%1&apos; is not in UTF-8, and saving it here would damage it. Convert it first, for example with &apos;iconv -f LATIN1 -t UTF-8&apos;.</source>
+        <translation>&apos;%1&apos; ist nicht in UTF-8, und hier zu speichern würde sie beschädigen. Wandeln Sie sie erst um, zum Beispiel mit &apos;iconv -f LATIN1 -t UTF-8&apos;.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has been changed by another program, and is not overwritten. Save again to replace it by the text in this window.</source>
+        <translation>&apos;%1&apos; ist von einem anderen Programm geändert worden und wird nicht überschrieben. Speichern Sie noch einmal, um sie durch den Text in diesem Fenster zu ersetzen.</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; cannot be written: %2. The text stays here; make room, or allow writing there, and save again.</source>
         <translation>&apos;%1&apos; kann nicht geschrieben werden: %2. Der Text bleibt hier; schaffen Sie Platz, oder erlauben Sie dort das Schreiben, und speichern Sie noch einmal.</translation>
     </message>
