@@ -228,8 +228,18 @@ class LiveRun::Impl : private simulation::Observer {
     past_target_s_.reset();
     const bool jumps = !is_past_shown_ || past_->steps() != run.steps();
     is_past_shown_ = false;
-    turn_to(run, run_decided_s_);
+    jumps || !trouble.empty() ? turn_to(run, run_decided_s_) : go_on_with(run);
     answer(run, jumps);
+  }
+
+  /// Shows the run where the past has reached it: what the past has said is not said again.
+  void go_on_with(const Simulation& run) {
+    said_ = &run;
+    sink_.look();
+    messages_.follow(run, run_decided_s_);
+    if (!has_ended_) return take_picture(run);
+    messages_.end(run, run.outcome() != simulation::Outcome::running, period_s());
+    hub_.say_time(nanoseconds(run.time_s()));
   }
 
   /// Says the whole state of a simulation, and from now on what its steps change.

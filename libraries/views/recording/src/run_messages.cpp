@@ -108,7 +108,7 @@ class RunMessages::Impl {
     write_state(simulation, decided, decided, period_s);
   }
 
-  void resume(const Simulation& simulation, double decided_s, double period_s) {
+  void follow(const Simulation& simulation, double decided_s) {
     decided_ns_ = nanoseconds(decided_s);
     add_robots(simulation);
     seen_events_ = simulation.events().size();
@@ -116,9 +116,13 @@ class RunMessages::Impl {
     remember_who_sees(simulation);
     blind_ = empty_;
     new_pictures_ = false;
-    sampled_ = simulation.steps();
     field_sampling_ = traces::Sampling(field_sampling_.period_s());
     field_sampling_.is_due(simulation.time_s());
+  }
+
+  void resume(const Simulation& simulation, double decided_s, double period_s) {
+    follow(simulation, decided_s);
+    sampled_ = simulation.steps();
     repeat(simulation, period_s);
   }
 
@@ -460,6 +464,9 @@ void RunMessages::repeat(const Simulation& simulation, double period_s) {
 }
 void RunMessages::resume(const Simulation& simulation, double decided_s, double period_s) {
   impl_->resume(simulation, decided_s, period_s);
+}
+void RunMessages::follow(const Simulation& simulation, double decided_s) {
+  impl_->follow(simulation, decided_s);
 }
 double RunMessages::decided_s() const { return impl_->decided_s(); }
 

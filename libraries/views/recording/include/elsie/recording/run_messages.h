@@ -50,6 +50,8 @@ class RunMessages {
   /// Goes on with another simulation of the same world, at any time of it, and says its whole
   /// state. `decided_s`: the time of its last decision.
   void resume(const simulation::Simulation& simulation, double decided_s, double period_s);
+  /// The same where the other one has just reached the present state: nothing is said again.
+  void follow(const simulation::Simulation& simulation, double decided_s);
   /// The time of the last decision, s.
   double decided_s() const;
 
