@@ -373,6 +373,35 @@ TEST_CASE("A robot that stands still for ten seconds is reported with what keeps
   CHECK(end["open_goals"][1]["missing_m"] > 1.0);
 }
 
+TEST_CASE("Of a goal that one robot is enough for, what is missing of the nearest is open") {
+  Session session;
+  REQUIRE_FALSE(session
+                    .open(R"(<world format="1">
+  <arena length="8" width="8"/>
+  <nests><nest id="home" x="3" y="3" radius="0.3"/></nests>
+  <resources><resource id="food" x="3" y="-3" collect="nest"/></resources>
+  <robots>
+    <robot id="near" x="2"><behaviors><wander/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>
+    <robot id="far" x="-2"><behaviors><wander/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>
+  </robots>
+  <goals>
+    <reach any="true" x="2" y="0" radius="2"/>
+    <reach any="true" x="3.5" y="3.5" radius="0.1"/>
+    <deliver count="2"/>
+  </goals>
+  <limits time="1"/>
+</world>)")
+                    .contains("refused"));
+  watch(session, {"stuck"});
+  session.ask({{"do", "run"}});
+  const Json open = session.end_of_run()["open_goals"];
+  INFO(open.dump());
+  REQUIRE(open.size() == 2);  // the first is reached
+  CHECK(open[0]["robot"] == "near");
+  CHECK(open[1]["goal"] == "deliver");
+  CHECK(open[1]["missing"] == 2);
+}
+
 TEST_CASE("Who is not watched is not judged, and who drives is not stuck") {
   Session session;
   open_shipped(session, "find_resource.xml");

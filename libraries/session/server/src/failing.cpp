@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <type_traits>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace elsie::server {
 namespace {
@@ -13,18 +14,6 @@ using simulation::RobotView;
 using simulation::Simulation;
 
 constexpr std::size_t kMostListed = 20;  // nobody reads more
-
-/// Calls `see` for the robots that a goal is about.
-template <class About, class See>
-void for_robots(const Simulation& simulation, const About& goal, const See& see) {
-  for (std::size_t i = 0; i < simulation.robots(); ++i) {
-    const RobotView robot = simulation.robot(i);
-    if ((goal.robot.empty() || robot.description->id == goal.robot) &&
-        (goal.team.empty() || robot.description->team == goal.team)) {
-      see(robot);
-    }
-  }
-}
 
 /// Adds what is missing of each goal.
 class Missing {
@@ -53,14 +42,13 @@ class Missing {
   }
   void add(const world::ReachGoal& goal) {
     if (!goal.of.empty()) return;
-    for_robots(simulation_, goal, [&](const RobotView& robot) {
-      add("reach", robot, std::hypot(robot.pose.x - goal.x, robot.pose.y - goal.y) - goal.radius);
+    add_robots("reach", goal, [&](const RobotView& robot) {
+      return std::hypot(robot.pose.x - goal.x, robot.pose.y - goal.y) - goal.radius;
     });
   }
   void add(const world::TravelGoal& goal) {
-    for_robots(simulation_, goal, [&](const RobotView& robot) {
-      add("travel", robot, goal.distance - robot.distance_m);
-    });
+    add_robots("travel", goal,
+               [&](const RobotView& robot) { return goal.distance - robot.distance_m; });
   }
   void add(const world::PushGoal& goal) {
     const auto& obstacles = simulation_.world().obstacles;
@@ -73,26 +61,40 @@ class Missing {
       }
     }
   }
-  void add(const world::EventGoal& goal) {
+  void add(const world::EventGoal& goal) { add_events("event", goal); }
+  void add(const world::DeliverGoal& goal) { add_events("deliver", goal); }
+  void add(const world::AllGoal& group) { add(group.goals); }
+  template <class Other>
+  void add(const Other&) {}
+
+  void add_events(const char* kind, const world::EventGoal& goal) {
     const auto& events = simulation_.events();
     const auto count = std::count_if(events.begin(), events.end(), [&](const auto& event) {
       return event.name() == goal.name && (goal.robot.empty() || event.robot == goal.robot);
     });
     if (goal.team.empty() && count < goal.count) {
-      missing_.push_back({{"goal", "event"},
+      missing_.push_back({{"goal", kind},
                           {"name", goal.name},
                           {"missing", goal.count - count},
                           {"of", goal.count}});
     }
   }
-  void add(const world::AllGoal& group) { add(group.goals); }
-  template <class Other>
-  void add(const Other&) {}
-
-  void add(const char* goal, const RobotView& robot, double missing_m) {
-    if (missing_m > 0.0 && missing_.size() < kMostListed) {
-      missing_.push_back(
-          {{"goal", goal}, {"robot", robot.description->id}, {"missing_m", missing_m}});
+  /// What is missing of each robot that a goal is about or, where one is enough, of the nearest.
+  template <class About, class Missing_m>
+  void add_robots(const char* kind, const About& goal, const Missing_m& missing_m) {
+    std::vector<std::pair<double, std::string>> all;
+    for (std::size_t i = 0; i < simulation_.robots(); ++i) {
+      const RobotView robot = simulation_.robot(i);
+      if ((goal.robot.empty() || robot.description->id == goal.robot) &&
+          (goal.team.empty() || robot.description->team == goal.team)) {
+        all.emplace_back(missing_m(robot), robot.description->id);
+      }
+    }
+    if (goal.any && !all.empty()) all = {*std::min_element(all.begin(), all.end())};
+    for (const auto& [missing, robot] : all) {
+      if (missing > 0.0 && missing_.size() < kMostListed) {
+        missing_.push_back({{"goal", kind}, {"robot", robot}, {"missing_m", missing}});
+      }
     }
   }
 
