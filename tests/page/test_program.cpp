@@ -19,6 +19,28 @@ TEST_CASE("elsie page makes one file of a recording, of at most three megabytes"
   CHECK(here.read("again.html") == here.read("four.html"));
 }
 
+TEST_CASE("An image of the floor is in a page once, however often the world is edited") {
+  Workplace here;
+  here.elsie("picture worlds/clutter.xml --output floor.png");
+  here.write("image.xml", R"(<world format="1">
+  <arena length="4" width="4"/>
+  <floor image="floor.png"/>
+  <robots><robot id="r1"><behaviors><wander/></behaviors><coordinator><arbiter_suppression/></coordinator></robot></robots>
+  <limits time="2"/>
+</world>
+)");
+  std::string edits;
+  for (const char* const at : {"0.5", "0.8", "1.1", "1.4", "1.7"}) {
+    edits += std::string(" --at '") + at + ":obstacle[+]=<static_box x=\"1\" y=\"-" + at + "\"/>'";
+  }
+  here.sh("elsie run image.xml --record plain.mcap --quiet");
+  here.sh("elsie run image.xml --record edited.mcap --quiet" + edits);
+  CHECK(here.elsie("page plain.mcap").exit_code == 0);
+  CHECK(here.elsie("page edited.mcap").exit_code == 0);
+  CHECK(here.read("edited.html").size() <
+        here.read("plain.html").size() + here.read("floor.png").size());
+}
+
 TEST_CASE("elsie page refuses what it cannot do, in a sentence and with code 2") {
   Workplace here;
   here.elsie("run worlds/open_arena.xml --duration 1 --record run.mcap --quiet");

@@ -33,6 +33,7 @@ class Run {
     }));
     this.picture = data.picture;
     this.scenes = data.scenes;
+    this.images = data.images;
     this.lights = data.lights.map((each) => ({...each, s: sums(each.s)}));
     this.sketches = data.sketches.map((each) => ({...each, s: sums(each.s)}));
     this.fields = data.fields.map((each) => ({...each, s: sums(each.s)}));

@@ -67,7 +67,7 @@ class Film {
     if (times_.empty() || run.world_xml != world_xml_) {
       world_xml_ = run.world_xml;
       world_ = picture::bodies_of(run.world_xml, run.world_file, drives_);
-      hold(scenes_, now(), scene_text(world_, bodies_));
+      hold(scenes_, now(), scene_text(world_, bodies_, images_));
     }
     poses_.add(now(), run, world_, bodies_);
     lights_.add(now(), run, bodies_);
@@ -97,7 +97,7 @@ class Film {
       out += (i > 0 ? "," : "") + ("{\"from\":" + std::to_string(scenes_[i].sample)) + "," +
              scenes_[i].value.substr(1);
     }
-    return out += "]";
+    return out += "],\"images\":" + nlohmann::json(images_).dump();
   }
 
  private:
@@ -109,6 +109,7 @@ class Film {
   Bodies bodies_;
   std::vector<std::int64_t> times_;
   Keys<std::string> scenes_;
+  std::vector<std::string> images_;  // of floors, for all scenes
   Poses poses_;
   Lights lights_;
   Sketches sketches_;

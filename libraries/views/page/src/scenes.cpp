@@ -125,7 +125,8 @@ ordered_json places_json(const world::World& world) {
 
 }  // namespace
 
-std::string scene_text(const world::World& world, Bodies& bodies) {
+std::string scene_text(const world::World& world, Bodies& bodies,
+                       std::vector<std::string>& images) {
   render::WorldScene whole(world, kLook);
   Movers movers(whole.scene());
   for (std::size_t i = 0; i < world.robots.size(); ++i) {
@@ -148,7 +149,10 @@ std::string scene_text(const world::World& world, Bodies& bodies) {
                     {"walls", world.arena.walls ? world.arena.wall_height : 0.0}};
   if (world.floor.colour) json["floor"] = list(*world.floor.colour);
   if (scene.image.pixels) {
-    json["image"] = {{"size", list(scene.image.size)}, {"png", image_text(*scene.image.pixels)}};
+    const std::string png = image_text(*scene.image.pixels);
+    const auto known = std::find(images.begin(), images.end(), png);
+    json["image"] = {{"size", list(scene.image.size)}, {"png", known - images.begin()}};
+    if (known == images.end()) images.push_back(png);
   }
   const auto add = [&](const char* name, const auto& solids, const std::vector<int>& of,
                        const auto& size_of, const auto& frame_of) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "elsie/world/description.h"
 
@@ -9,7 +10,8 @@
 
 namespace elsie::page {
 
-/// The members of a scene, as JSON. It says nothing of where bodies are.
-std::string scene_text(const world::World& world, Bodies& bodies);
+/// The members of a scene, as JSON. It says nothing of where bodies are. `images` gets the image of
+/// the floor, if it is not there yet: scenes that differ in something else share it.
+std::string scene_text(const world::World& world, Bodies& bodies, std::vector<std::string>& images);
 
 }  // namespace elsie::page

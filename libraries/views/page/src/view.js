@@ -156,7 +156,7 @@ class View {
           sheet.texture = this.painter.image_texture(image);
           this.changed?.();
         };
-        image.src = scene.image.png;
+        image.src = this.run.images[scene.image.png];
       }
       if (flat.length) sheets.push({corners: new Float32Array(flat)});
       this.sheets.set(scene, sheets);
