@@ -212,8 +212,8 @@ class Server::Impl {
  public:
   explicit Impl(const Address& address) : address_(address) {
     error_code error;
-    const tcp::endpoint place(asio::ip::make_address(address.host), address.port);
-    acceptor_.open(place.protocol(), error);
+    const tcp::endpoint place(asio::ip::make_address(address.host, error), address.port);
+    if (!error) acceptor_.open(place.protocol(), error);
     if (!error) keep_to_this_process(acceptor_.native_handle());
     if (!error) acceptor_.set_option(tcp::acceptor::reuse_address(true), error);
     if (!error) acceptor_.bind(place, error);
