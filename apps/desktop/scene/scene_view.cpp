@@ -280,8 +280,8 @@ void SceneView::refine() {
   } else {
     refining_.setInterval(0);
   }
-  // Each time that the picture has become twice as fine.
-  if (passes >= 4 && (passes & (passes - 1)) == 0) {
+  // Each time that the picture has become twice as fine, and at the end, which may come early.
+  if (passes >= 4 && ((passes & (passes - 1)) == 0 || photograph_.is_finished())) {
     photograph_.develop();
     update();
   }
