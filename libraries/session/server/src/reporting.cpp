@@ -148,7 +148,7 @@ void Server::Impl::report_stuck() {
     return;
   }
   standstills_.look(*simulation_);
-  if (standstills_.found() != told_standstills_) {
+  if (standstills_.found() != told_standstills_ && link_.waiting_bytes() < kMostWaiting) {
     told_standstills_ = standstills_.found();
     Json event = {{"event", "stuck"}, {"epoch", epoch_}, {"time_s", simulation_->time_s()}};
     event.update(standstills_json(told_standstills_));
