@@ -26,6 +26,9 @@ struct Answer {
 };
 Answer knock(std::uint16_t port, const Knock& knock);
 
+/// A connection on which nothing is said, as long as this is kept.
+std::shared_ptr<void> keep_silent(std::uint16_t port);
+
 struct Message {
   std::uint32_t subscription = 0;
   std::uint64_t time_ns = 0;

@@ -160,6 +160,40 @@ TEST_CASE("Paused, played at any speed and sought, watched or not, the run is th
   CHECK((bytes(file.path) == bytes(alone.path)));
 }
 
+TEST_CASE("Where the past reaches the run, nothing is said twice") {
+  const world::World world = world::parse_world(R"(<world format="1">
+  <arena length="4" width="4"/>
+  <obstacles><static_box x="1"/></obstacles>
+  <robots><robot id="r1" x="0.4"><behaviors><go_to_point x="1.95"/></behaviors>
+    <coordinator><arbiter_suppression/></coordinator></robot></robots>
+  <limits time="6"/>
+</world>)",
+                                                "bump.xml", shipped());
+  Simulation alone(world, shipped(), {.seed = 3});
+  alone.run();
+  const auto all = alone.events().size();
+  REQUIRE(all > 0);
+  REQUIRE(alone.events().front().time_s > 0.1);
+  REQUIRE(alone.events().front().time_s < 4.0);
+
+  Show show(world);
+  Client client(show.port());
+  client.subscribe(1, ids_of(client, {"/events"}).at("/events"));
+  client.steer(false, 1.0F, 4.0, "on");
+  client.state("on");
+  client.steer(false, 1.0F, 0.1, "back");
+  client.state("back");
+  client.steer(true, 1000.0F, std::nullopt, "play");
+  std::size_t said = 0;
+  for (bool is_over = false; !is_over;) {
+    const auto frame = client.read();
+    if (Client::message_of(frame)) ++said;
+    const auto state = Client::state_of(frame);
+    is_over = state && state->status == 3;
+  }
+  CHECK(said == all);
+}
+
 TEST_CASE("A request that follows a seek at once does not undo it") {
   Show show(lively());
   Client client(show.port());
@@ -384,6 +418,13 @@ TEST_CASE("There is room for 32 clients; one that leaves makes room") {
   int status = 503;
   while (status == 503) status = knock(show.port(), {}).status;
   CHECK(status == 101);
+}
+
+TEST_CASE("Connections that say nothing take nobody's place") {
+  Show show(lively());
+  std::vector<std::shared_ptr<void>> silent;
+  for (int i = 0; i < 40; ++i) silent.push_back(keep_silent(show.port()));
+  CHECK(knock(show.port(), {}).status == 101);
 }
 
 TEST_CASE("A server that ends says good-bye") {

@@ -1,6 +1,7 @@
 // What waits for a client that reads too slowly.
 #include <catch2/catch.hpp>
 
+#include "hub.h"
 #include "outbox.h"
 
 namespace live = elsie::live;
@@ -64,4 +65,16 @@ TEST_CASE("Answers that nobody reads end somewhere") {
   const std::string answer(1U << 20U, 'x');
   for (int i = 0; i < 70; ++i) outbox.push({true, answer});
   CHECK(outbox.is_flooded());
+}
+
+TEST_CASE("Who reads nothing is sent away when that is full, also while a frame is on its way") {
+  live::Hub hub({});
+  int calls = 0;
+  const live::ClientId deaf = hub.join(live::Protocol::websocket, [&] { ++calls; });
+  REQUIRE(hub.next(deaf));  // which never arrives
+  calls = 0;
+  const std::string long_id(250, 'x');
+  while (!hub.is_flooded(deaf)) hub.hear(deaf, live::GetParameters{{}, long_id});
+  CHECK(calls == 1);
+  CHECK_FALSE(hub.next(deaf));
 }

@@ -158,6 +158,11 @@ Counts Hub::counts() const {
   return counts;
 }
 
+std::size_t Hub::present() const {
+  const std::lock_guard lock(mutex_);
+  return clients_.size();
+}
+
 ClientId Hub::join(Protocol protocol, std::function<void()> wake) {
   const std::lock_guard lock(mutex_);
   const ClientId id = next_client_++;
@@ -227,7 +232,8 @@ bool Hub::is_flooded(ClientId id) const {
 
 void Hub::push(Client& client, Frame frame) {
   client.outbox.push(std::move(frame));
-  if (std::exchange(client.is_idle, false)) client.wake();
+  const bool was_idle = std::exchange(client.is_idle, false);
+  if (was_idle || client.outbox.is_flooded()) client.wake();
 }
 
 void Hub::push_text(Client& client, std::string text) {

@@ -67,7 +67,9 @@ class Hub {
 
   // The server's thread.
 
-  /// `wake` is called, in any thread, when there is something to send again.
+  /// How many clients have joined and not left.
+  std::size_t present() const;
+  /// `wake` is called, in any thread, when there is something to send again, or is_flooded().
   ClientId join(Protocol protocol, std::function<void()> wake);
   void leave(ClientId client);
   void hear(ClientId client, Request request);

@@ -33,6 +33,8 @@ using beast::error_code;
 using std::chrono::seconds;
 
 constexpr std::size_t kMostClients = 32;
+constexpr std::size_t kMostConnections =
+    4 * kMostClients;                               // with those that have not said who they are
 constexpr std::size_t kMostOfARequest = 8U << 10U;  // bytes
 constexpr std::size_t kMostOfAMessage = 1U << 20U;  // bytes, from a client
 constexpr int kSendBuffer = 256 << 10;  // bytes; more only makes what a slow client sees older
@@ -47,8 +49,8 @@ std::string_view text_of(boost::beast::string_view text) { return {text.data(), 
 /// One client, from its first byte on. Its handlers keep it alive.
 class Session final : public std::enable_shared_from_this<Session> {
  public:
-  Session(tcp::socket socket, Hub& hub, const std::vector<std::string>& origins, bool is_room)
-      : stream_(std::move(socket)), hub_(hub), origins_(origins), is_room_(is_room) {}
+  Session(tcp::socket socket, Hub& hub, const std::vector<std::string>& origins)
+      : stream_(std::move(socket)), hub_(hub), origins_(origins) {}
   ~Session() {
     if (client_) hub_.leave(*client_);
   }
@@ -93,7 +95,7 @@ class Session final : public std::enable_shared_from_this<Session> {
     const auto refusal = refusal_of(visitor, origins_);
     const auto protocol = protocol_of(visitor);
     if (refusal) return refuse(http::status::forbidden, *refusal);
-    if (!is_room_) {
+    if (hub_.present() >= kMostClients) {
       return refuse(http::status::service_unavailable,
                     "there are " + std::to_string(kMostClients) + " clients already");
     }
@@ -167,12 +169,13 @@ class Session final : public std::enable_shared_from_this<Session> {
     const std::string_view bytes(static_cast<const char*>(data.data()), data.size());
     hub_.hear(*client_, stream_.got_text() ? request_of_text(bytes) : request_of_bytes(bytes));
     buffer_.consume(buffer_.size());
-    if (hub_.is_flooded(*client_)) return leave();
     read();
   }
 
   void write() {
-    if (is_writing_ || !is_open_) return;
+    if (!is_open_) return;
+    if (hub_.is_flooded(*client_)) return leave();
+    if (is_writing_) return;
     frame_ = hub_.next(*client_);
     if (!frame_) return;
     is_writing_ = true;
@@ -197,7 +200,6 @@ class Session final : public std::enable_shared_from_this<Session> {
   asio::steady_timer parting_{stream_.get_executor()};
   Hub& hub_;
   const std::vector<std::string>& origins_;
-  bool is_room_;
   beast::flat_buffer buffer_;
   http::request_parser<http::string_body> parser_;
   http::response<http::string_body> answer_;
@@ -280,8 +282,8 @@ class Server::Impl {
     socket.set_option(tcp::no_delay(true), ignored);
     socket.set_option(asio::socket_base::send_buffer_size(kSendBuffer), ignored);
     sessions_.remove_if([](const auto& each) { return each.expired(); });
-    const auto session = std::make_shared<Session>(std::move(socket), *hub_, origins_,
-                                                   sessions_.size() < kMostClients);
+    if (sessions_.size() >= kMostConnections) return;
+    const auto session = std::make_shared<Session>(std::move(socket), *hub_, origins_);
     sessions_.push_back(session);
     session->start();
   }
