@@ -359,6 +359,7 @@ TEST_CASE("A robot that stands still for ten seconds is reported with what keeps
   for (const Json& said : {stuck, end}) {
     INFO(said.dump());
     REQUIRE(said["stuck_count"] == 2);
+    CHECK(said["troubled_count"] == 2);
     CHECK(said["stuck"][0]["robot"] == "torn");
     CHECK(said["stuck"][0]["why"] == "cancel");
     CHECK(said["stuck"][0]["behaviors"].size() == 2);
@@ -400,6 +401,30 @@ TEST_CASE("Of a goal that one robot is enough for, what is missing of the neares
   CHECK(open[0]["robot"] == "near");
   CHECK(open[1]["goal"] == "deliver");
   CHECK(open[1]["missing"] == 2);
+}
+
+TEST_CASE(
+    "A goal to keep was broken by the robot that it is about, not by the last that collided") {
+  Session session;
+  const auto driver = [](const std::string& id, double y) {
+    const std::string at = "\" y=\"" + std::to_string(y);
+    return "<robot id=\"" + id + at + "\"><behaviors><go_to_point x=\"1.95" + at +
+           "\"/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>";
+  };
+  REQUIRE_FALSE(session
+                    .open("<world format=\"1\"><arena length=\"4\" width=\"4\"/><obstacles>"
+                          "<static_box x=\"1\" y=\"1\"/><static_box x=\"1\" y=\"-1\"/>"
+                          "</obstacles><robots>" +
+                          driver("watched", 1.0) + driver("other", -1.0) +
+                          "</robots><goals><no_collision robot=\"watched\"/></goals>"
+                          "<limits time=\"60\"/></world>")
+                    .contains("refused"));
+  watch(session, {"stuck"});
+  session.ask({{"do", "run"}});
+  const Json end = session.end_of_run();
+  INFO(end.dump());
+  CHECK(end["outcome"] == "failure");
+  CHECK(end["broken_by"]["robot"] == "watched");
 }
 
 TEST_CASE("Who is not watched is not judged, and who drives is not stuck") {

@@ -163,6 +163,7 @@ void StuckNotice::take(const Json& event) {
     }
   }
   stuck_ = std::move(stuck);
+  count_ = integer_of(event, "troubled_count", 0);
   if (stuck_.empty()) {
     clear();
     return;
@@ -187,8 +188,7 @@ void StuckNotice::show_text() {
   for (std::size_t i = 0; i < stuck_.size() && i < kMostRobots; ++i) {
     sentences << why_stuck(stuck_[i], second_);
   }
-  if (stuck_.size() > kMostRobots) {
-    const int more = static_cast<int>(stuck_.size() - kMostRobots);
+  if (const int more = count_ - static_cast<int>(kMostRobots); more > 0) {
     sentences << tr("And %1 more robots.", "", more).arg(more);
   }
   text_->setText(sentences.join(QLatin1Char('\n')));

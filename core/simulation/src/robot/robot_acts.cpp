@@ -33,7 +33,7 @@ Act made(const Act& act, const Disturbable& actuator) {
     });
     if (!is_set) {
       throw base::Error("it gives a command with the number '" + given.first +
-                        "' to an actuator that " + "takes commands of '" + actuator.kind().name +
+                        "' to an actuator that takes commands of '" + actuator.kind().name +
                         "', which have " + (names.empty() ? "no numbers" : base::joined(names)));
     }
   }

@@ -15,6 +15,13 @@ using simulation::Simulation;
 
 constexpr std::size_t kMostListed = 20;  // nobody reads more
 
+/// Whether a goal of some robots is one of this robot.
+template <class About>
+bool is_about(const About& goal, const world::Robot& robot) {
+  return (goal.robot.empty() || robot.id == goal.robot) &&
+         (goal.team.empty() || robot.team == goal.team);
+}
+
 /// Adds what is missing of each goal.
 class Missing {
  public:
@@ -85,8 +92,7 @@ class Missing {
     std::vector<std::pair<double, std::string>> all;
     for (std::size_t i = 0; i < simulation_.robots(); ++i) {
       const RobotView robot = simulation_.robot(i);
-      if ((goal.robot.empty() || robot.description->id == goal.robot) &&
-          (goal.team.empty() || robot.description->team == goal.team)) {
+      if (is_about(goal, *robot.description)) {
         all.emplace_back(missing_m(robot), robot.description->id);
       }
     }
@@ -102,23 +108,46 @@ class Missing {
   Json missing_ = Json::array();
 };
 
+template <class Goal, class Event>
+bool breaks_goal(const Simulation& simulation, const world::Goal& goal,
+                 const simulation::EventRecord& event) {
+  const auto* const kept = std::get_if<Goal>(&goal);
+  if (!kept || !event.as<Event>()) return false;
+  for (std::size_t i = 0; i < simulation.robots(); ++i) {
+    const auto& robot = *simulation.robot(i).description;
+    if (robot.id == event.robot) return is_about(*kept, robot);
+  }
+  return false;
+}
+
 }  // namespace
 
-Json standstills_json(const std::vector<traces::Standstill>& found) {
+Json standstills_json(std::vector<traces::Standstill> found) {
+  const auto idle = std::stable_partition(
+      found.begin(), found.end(),
+      [](const traces::Standstill& each) { return each.why != traces::Hold::idle; });
+  const auto troubled = idle - found.begin();
+  const auto all = found.size();
+  found.resize(std::min(all, kMostListed));
   Json robots = Json::array();
-  for (std::size_t i = 0; i < std::min(found.size(), kMostListed); ++i) {
-    robots.push_back({{"robot", found[i].robot},
-                      {"since_s", found[i].since_s},
-                      {"why", to_string(found[i].why)},
-                      {"behaviors", found[i].behaviors}});
+  for (const traces::Standstill& each : found) {
+    robots.push_back({{"robot", each.robot},
+                      {"since_s", each.since_s},
+                      {"why", to_string(each.why)},
+                      {"behaviors", each.behaviors}});
   }
-  return {{"stuck", std::move(robots)}, {"stuck_count", found.size()}};
+  return {{"stuck", std::move(robots)}, {"stuck_count", all}, {"troubled_count", troubled}};
 }
 
 Json broken_by_json(const Simulation& simulation) {
   const auto events = simulation.events();
+  const auto& goals = simulation.world().goals;
   for (auto event = events.rbegin(); event != events.rend(); ++event) {
-    if (event->as<events::Collision>() || event->as<events::BatteryEmpty>()) {
+    const auto breaks = [&](const world::Goal& goal) {
+      return breaks_goal<world::NoCollisionGoal, events::Collision>(simulation, goal, *event) ||
+             breaks_goal<world::BatteryGoal, events::BatteryEmpty>(simulation, goal, *event);
+    };
+    if (std::any_of(goals.begin(), goals.end(), breaks)) {
       return {{"name", event->name()},
               {"robot", event->robot},
               {"detail", event->detail()},

@@ -10,15 +10,16 @@
 
 namespace elsie::server {
 
-/// `stuck`: the first of these robots, and `stuck_count`: how many there are.
-Json standstills_json(const std::vector<traces::Standstill>& found);
+/// `stuck`: the first twenty of these robots, those that nobody asks to move last; `stuck_count`:
+/// how many there are; `troubled_count`: how many of them are asked to move.
+Json standstills_json(std::vector<traces::Standstill> found);
 
 /// The goals to reach that are open, as far as numbers say how far: of each the name of its element
 /// and what is missing. Those in an <any> are left out, because none of them is needed.
 Json open_goals_json(const simulation::Simulation& simulation);
 
-/// The event that broke a goal to keep: `name`, `robot`, `detail` and `time_s`; null if there is
-/// none.
+/// The last event that broke a goal to keep: `name`, `robot`, `detail` and `time_s`; null if there
+/// is none.
 Json broken_by_json(const simulation::Simulation& simulation);
 
 }  // namespace elsie::server
