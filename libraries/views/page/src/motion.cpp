@@ -68,13 +68,18 @@ bool SampledLayer::thin() {
 void Poses::put(std::size_t body, Sample sample, const Pose& pose, bool set) {
   if (body >= places_.size()) places_.resize(body + 1);
   Keys<Place>& keys = places_[body];
-  constexpr double kFar = 1e5;  // m; a pose beyond it does not fit, nor into a page
-  if (!is_finite(pose) || std::abs(pose.x) > kFar || std::abs(pose.y) > kFar) return;
+  constexpr double kFar = 1e5;  // m, rad; a pose beyond it does not fit, nor into a page
+  const auto fits = [](double number) { return std::abs(number) <= kFar; };  // false for NaN
+  if (!fits(pose.x) || !fits(pose.y) || !fits(pose.heading_rad)) return;
   // Headings go on beyond pi, so that they can be drawn between two samples.
   const double turn = 2.0 * std::numbers::pi;
   double heading_rad = pose.heading_rad;
   if (!keys.empty()) {
     heading_rad += turn * std::round((keys.back().value.heading * 1e-4 - heading_rad) / turn);
+  }
+  if (!fits(heading_rad)) {  // after thousands of turns it begins anew
+    heading_rad = pose.heading_rad;
+    set = true;
   }
   Place place{static_cast<std::int32_t>(fine(pose.x)), static_cast<std::int32_t>(fine(pose.y)),
               static_cast<std::int32_t>(fine(heading_rad)), true, false};
