@@ -134,7 +134,9 @@ class Compiler {
   /// Returns the compiler's warnings. Throws BuildError.
   std::string compile(const fs::path& source, const fs::path& output, const fs::path& dependencies,
                       const std::stop_token& stop) const {
-    std::vector<std::string> command = words_;
+    // Its messages are in English, so that windows find the lines that they name.
+    std::vector<std::string> command{"env", "-u", "LC_ALL", "LC_MESSAGES=C"};
+    command.insert(command.end(), words_.begin(), words_.end());
     const auto version = process::run_process({words_.front(), "--version"});
     if (version && version->output.find("clang") == std::string::npos) {
       // An inline static of a template would keep the library loaded for ever.
