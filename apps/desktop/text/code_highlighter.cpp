@@ -1,6 +1,5 @@
 #include "text/code_highlighter.h"
 
-#include <QPalette>
 #include <QSet>
 
 namespace elsie::desktop {
@@ -36,17 +35,6 @@ void CodeHighlighter::set_language(Language language) {
   rehighlight();
 }
 
-void CodeHighlighter::use_palette(const QPalette& palette) {
-  const bool dark = palette.color(QPalette::Base).lightnessF() < 0.5F;
-  word_.setForeground(QColor(dark ? 0x7cb7ff : 0x0b4fa3));
-  word_.setFontWeight(QFont::DemiBold);
-  number_.setForeground(QColor(dark ? 0xd9b36c : 0x7a4b00));
-  string_.setForeground(QColor(dark ? 0x8fd18f : 0x1f6b2a));
-  comment_.setForeground(QColor(dark ? 0x9a9a9a : 0x666666));
-  comment_.setFontItalic(true);
-  rehighlight();
-}
-
 void CodeHighlighter::highlightBlock(const QString& text) {
   const bool is_cpp = language_ == Language::cpp;
   const QString line_comment = is_cpp ? QStringLiteral("//") : QStringLiteral("#");
@@ -54,11 +42,7 @@ void CodeHighlighter::highlightBlock(const QString& text) {
   int state = previousBlockState();
   int i = 0;
   const auto until = [&](const QString& mark, const QTextCharFormat& format, int from) {
-    const auto found = static_cast<int>(text.indexOf(mark, from));
-    const int end = found < 0 ? size : found + static_cast<int>(mark.size());
-    setFormat(i, end - i, format);
-    i = end;
-    return found >= 0;
+    return format_until(mark, format, text, from, i);
   };
   const auto is_part = [&](int at) { return text[at].isLetterOrNumber() || text[at] == u'_'; };
   while (i < size) {
@@ -89,9 +73,9 @@ void CodeHighlighter::highlightBlock(const QString& text) {
       while (i < size && is_part(i)) ++i;
       const QString word = text.mid(start, i - start);
       if (words_of(language_).contains(word)) {
-        setFormat(start, i - start, word_);
+        setFormat(start, i - start, keyword_);
       } else if (word[0].isDigit()) {
-        setFormat(start, i - start, number_);
+        setFormat(start, i - start, detail_);
       }
     } else {
       ++i;

@@ -1,21 +1,17 @@
 // Colours the C++ and the Python of plugins.
 #pragma once
 
-#include <QSyntaxHighlighter>
-#include <QTextCharFormat>
-
-class QPalette;
+#include "text/highlighter.h"
 
 namespace elsie::desktop {
 
-class CodeHighlighter : public QSyntaxHighlighter {
+class CodeHighlighter : public Highlighter {
  public:
   enum class Language { cpp, python };
 
-  explicit CodeHighlighter(QTextDocument* document) : QSyntaxHighlighter(document) {}
+  using Highlighter::Highlighter;
 
   void set_language(Language language);
-  void use_palette(const QPalette& palette);
   /// Blanks of a Tab.
   int indent() const { return language_ == Language::cpp ? 2 : 4; }
 
@@ -24,7 +20,6 @@ class CodeHighlighter : public QSyntaxHighlighter {
 
  private:
   Language language_ = Language::cpp;
-  QTextCharFormat word_, string_, comment_, number_;
 };
 
 }  // namespace elsie::desktop

@@ -1,28 +1,16 @@
-// Colours for XML, for light and for dark palettes.
+// Colours the XML of worlds.
 #pragma once
 
-#include <QSyntaxHighlighter>
-#include <QTextCharFormat>
-
-class QPalette;
+#include "text/highlighter.h"
 
 namespace elsie::desktop {
 
-class XmlHighlighter : public QSyntaxHighlighter {
+class XmlHighlighter : public Highlighter {
  public:
-  explicit XmlHighlighter(QTextDocument* document);
-
-  /// Chooses colours that are readable on the palette's base, and highlights again.
-  void use_palette(const QPalette& palette);
+  using Highlighter::Highlighter;
 
  protected:
   void highlightBlock(const QString& text) override;
-
- private:
-  QTextCharFormat element_;
-  QTextCharFormat attribute_;
-  QTextCharFormat value_;
-  QTextCharFormat comment_;
 };
 
 }  // namespace elsie::desktop
