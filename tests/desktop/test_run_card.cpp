@@ -101,7 +101,7 @@ TEST_CASE("A notice names a robot that is stuck; the card of the end says why th
   REQUIRE(wait_for([&] { return card->isVisible(); }));
   CHECK(text_in(window, "run_card_title").contains("Time is up after 30.0 s"));
   const QString why = text_in(window, "run_card_why");
-  CHECK(why.contains("1 of 1 resources were not collected."));
+  CHECK(why.contains("Resources that were not collected: 1 of 1."));
   CHECK(why.contains("cancel each other."));
   window.after([&] { window.bench().reset(1); });
   CHECK_FALSE(card->isVisible());

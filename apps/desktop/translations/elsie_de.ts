@@ -140,13 +140,6 @@
 </context>
 <context>
     <name>Reasons</name>
-    <message numerus="yes">
-        <source>%1 more robots stood still.</source>
-        <translation>
-            <numerusform>%1 weiterer Roboter stand still.</numerusform>
-            <numerusform>%1 weitere Roboter standen still.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 has been stuck for %2 s: %3 and %4 cancel each other.</source>
         <translation>%1 steckt seit %2 s fest: %3 und %4 heben einander auf.</translation>
@@ -167,13 +160,6 @@
         <source>%1 has stood still for %2 s: no behaviour asks it to move.</source>
         <translation>%1 steht seit %2 s still: Kein Verhalten verlangt eine Bewegung.</translation>
     </message>
-    <message numerus="yes">
-        <source>%1 of %2 resources were not collected.</source>
-        <translation>
-            <numerusform>Nicht gesammelt: %1 von %2 Rohstoff.</numerusform>
-            <numerusform>Nicht gesammelt: %1 von %2 Rohstoffen.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 ended %2 m away from the place that it should reach.</source>
         <translation>%1 war am Ende %2 m von dem Ort entfernt, den er erreichen sollte.</translation>
@@ -185,13 +171,6 @@
     <message>
         <source>&apos;%1&apos; ended %2 m away from the place to which it should be pushed.</source>
         <translation>&apos;%1&apos; war am Ende %2 m von dem Ort entfernt, an den es geschoben werden sollte.</translation>
-    </message>
-    <message numerus="yes">
-        <source>Of %1 events &apos;%2&apos; that a goal asks for, %3 did not happen.</source>
-        <translation>
-            <numerusform>Ein Ziel verlangt %1 Ereignis &apos;%2&apos;; nicht eingetreten: %3.</numerusform>
-            <numerusform>Ein Ziel verlangt %1 Ereignisse &apos;%2&apos;; nicht eingetreten: %3.</numerusform>
-        </translation>
     </message>
     <message>
         <source>%1 touched &apos;%2&apos; at %3 s.</source>
@@ -224,6 +203,18 @@
     <message>
         <source>The run was stopped</source>
         <translation>Der Lauf wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>Other robots that stood still: %1.</source>
+        <translation>Andere Roboter, die still standen: %1.</translation>
+    </message>
+    <message>
+        <source>Resources that were not collected: %1 of %2.</source>
+        <translation>Nicht gesammelte Rohstoffe: %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Events &apos;%1&apos; that a goal asks for and that did not happen: %2 of %3.</source>
+        <translation>Ereignisse &apos;%1&apos;, die ein Ziel verlangt und die nicht eintraten: %2 von %3.</translation>
     </message>
 </context>
 <context>
@@ -3578,16 +3569,13 @@ Trotzdem speichern?</translation>
         <source>Selects the robot, so that the windows show its behaviours</source>
         <translation>Wählt den Roboter aus, sodass die Fenster seine Verhalten zeigen</translation>
     </message>
-    <message numerus="yes">
-        <source>And %1 more robots.</source>
-        <translation>
-            <numerusform>Und %1 weiterer Roboter.</numerusform>
-            <numerusform>Und %1 weitere Roboter.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Select %1</source>
         <translation>%1 auswählen</translation>
+    </message>
+    <message>
+        <source>Other robots: %1.</source>
+        <translation>Andere Roboter: %1.</translation>
     </message>
 </context>
 <context>

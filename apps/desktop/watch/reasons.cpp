@@ -14,9 +14,7 @@ class Reasons {
   static QString missing(const Json& goal);
   static QString broken(const Json& event);
   static QString outcome(const Json& end);
-  static QString others(int count) {
-    return tr("%1 more robots stood still.", "", count).arg(count);
-  }
+  static QString others(int count) { return tr("Other robots that stood still: %1.").arg(count); }
 };
 
 QString Reasons::stuck(const Json& robot, double now_s) {
@@ -50,7 +48,7 @@ QString Reasons::missing(const Json& goal) {
   const int missing = integer_of(goal, "missing", 0), of = integer_of(goal, "of", 0);
   const QString far_m = QString::number(number_of(goal, "missing_m"), 'f', 2);
   if (what == "collect") {
-    return tr("%1 of %2 resources were not collected.", "", of).arg(missing).arg(of);
+    return tr("Resources that were not collected: %1 of %2.").arg(missing).arg(of);
   }
   if (what == "reach") {
     return tr("%1 ended %2 m away from the place that it should reach.")
@@ -63,10 +61,10 @@ QString Reasons::missing(const Json& goal) {
     return tr("'%1' ended %2 m away from the place to which it should be pushed.")
         .arg(text_of(goal, "obstacle"), far_m);
   }
-  return tr("Of %1 events '%2' that a goal asks for, %3 did not happen.", "", of)
-      .arg(of)
+  return tr("Events '%1' that a goal asks for and that did not happen: %2 of %3.")
       .arg(text_of(goal, "name"))
-      .arg(missing);
+      .arg(missing)
+      .arg(of);
 }
 
 QString Reasons::broken(const Json& event) {

@@ -189,7 +189,7 @@ void StuckNotice::show_text() {
     sentences << why_stuck(stuck_[i], second_);
   }
   if (const int more = count_ - static_cast<int>(kMostRobots); more > 0) {
-    sentences << tr("And %1 more robots.", "", more).arg(more);
+    sentences << tr("Other robots: %1.").arg(more);
   }
   text_->setText(sentences.join(QLatin1Char('\n')));
   select_->setText(tr("Select %1").arg(robot_));
