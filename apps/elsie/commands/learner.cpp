@@ -20,7 +20,7 @@ using elsie::PluginKind;
 
 /// The element of the list with this id.
 template <class Things>
-const auto& find(const Things& things, const std::string& id, const std::string& what,
+const auto& find(const Things& things, const std::string& id, const char* what,
                  const std::string& where) {
   std::vector<std::string> ids;
   for (const auto& thing : things) {
@@ -29,7 +29,8 @@ const auto& find(const Things& things, const std::string& id, const std::string&
     }
     ids.push_back(thing.id);
   }
-  throw BadInput("there is no " + what + " '" + id + "' " + where + base::did_you_mean(id, ids) +
+  throw BadInput(std::string("there is no ") + what + " '" + id + "' " + where +
+                 base::did_you_mean(id, ids) +
                  (ids.empty() ? "" : "; there are: " + base::joined(ids)));
 }
 
@@ -79,8 +80,8 @@ FoundCoordinator find_coordinator(const world::World& world, const LearnerPlace&
     const std::size_t end = std::min(place.behavior.find('/', at), place.behavior.size());
     const std::string id = place.behavior.substr(at, end - at);
     at = end + 1;
-    const world::BehaviorUse& holder =
-        find(coordination->behaviors, id, "behaviour", "in " + found.owner);
+    const std::string where = "in " + found.owner;
+    const world::BehaviorUse& holder = find(coordination->behaviors, id, "behaviour", where);
     found.owner = "behaviour '" + id + "'";
     if (holder.inside.empty()) {
       throw BadInput("the " + found.owner +

@@ -60,11 +60,11 @@ class OdeEngine final : public Engine {
   bool has_obstacle(std::size_t box) const override { return bodies_.boxes.at(box).present; }
   std::span<const Touch> touches() const override { return finder_.touches(); }
   void watch_contacts(std::size_t robot) override {
-    bodies_.robots.at(robot);
+    static_cast<void>(bodies_.robots.at(robot));
     contact_watch_.watch(robot);
   }
   std::span<const BodyContact> contacts(std::size_t robot) const override {
-    bodies_.robots.at(robot);
+    static_cast<void>(bodies_.robots.at(robot));
     return contact_watch_.of(robot);
   }
   BodyMotion motion(std::size_t robot) const override;

@@ -58,11 +58,11 @@ class PlanarEngine final : public Engine {
   bool has_obstacle(std::size_t box) const override { return boxes_.at(box).present; }
   std::span<const Touch> touches() const override { return pipeline_.touches(); }
   void watch_contacts(std::size_t robot) override {
-    robots_.at(robot);
+    static_cast<void>(robots_.at(robot));
     contact_watch_.watch(robot);
   }
   std::span<const BodyContact> contacts(std::size_t robot) const override {
-    robots_.at(robot);
+    static_cast<void>(robots_.at(robot));
     return contact_watch_.of(robot);
   }
   BodyMotion motion(std::size_t robot) const override;
