@@ -328,6 +328,21 @@ TEST_CASE("Robots that an edit adds or removes are announced, on the way there a
   CHECK(client.message(1).time_ns == 1'000'000'000);
 }
 
+TEST_CASE("Viewers are told the fault that ends a run") {
+  ScriptedHost scripted([](const Perception& now) -> Response {
+    if (now.time_s() > 0.5) throw std::runtime_error("enough");
+    return Motion{0.1, 0, 0};
+  });
+  Simulation simulation(one_robot(), scripted.host, {.seed = 3});
+  live::LiveRun live(live::Address{.port = 0}, {.speed = 1.0});
+  live.open(simulation, {});
+  Client client(live.address().port);
+  client.text("serverInfo");
+  simulation::Observer* const observers[] = {&live};
+  CHECK_THROWS_AS(simulation.run(observers), simulation::PluginFault);
+  CHECK_THAT(client.text("status").at("message").get<std::string>(), Catch::EndsWith(": enough"));
+}
+
 TEST_CASE("A seek that cannot be made is answered with a sentence") {
   Simulation simulation(lively(), shipped(), {.seed = 3});
   std::atomic<bool> is_over = false;

@@ -86,6 +86,7 @@ class LiveRun::Impl : private simulation::Observer {
   void replace(const Simulation& run) { messages_.replace(run); }
 
   void end(const Simulation& run) {
+    if (const std::string why = recording::why_stopped(); !why.empty()) hub_.say(Level::error, why);
     has_ended_ = true;
     hub_.set_end(nanoseconds(run.time_s()));
     if (target_s_) return arrive(run);

@@ -90,13 +90,15 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
 
   void ended(const Simulation& simulation) override {
     std::exception_ptr fault;
+    std::string reason = why_stopped();
     const simulation::RunResult result = result_of(simulation, fault);
+    if (reason.empty()) reason = result.reason;
     const bool stopped = fault || result.outcome == simulation::Outcome::running;
     // The last decision may be half of a step that a plugin did not end.
     messages_.end(simulation, !stopped, sampling_.period_s());
     out_.write(mcap::Metadata{kResultMetadata,
                               {{"outcome", stopped ? kStopped : to_string(result.outcome)},
-                               {"reason", result.reason},
+                               {"reason", reason},
                                {kEndTime, base::number_text(result.simulated_s)},
                                {"steps", std::to_string(result.steps)},
                                {"state_hash", simulation::hash_text(result.state_hash)}}});

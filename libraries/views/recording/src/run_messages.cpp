@@ -1,6 +1,7 @@
 #include "elsie/recording/run_messages.h"
 
 #include <algorithm>
+#include <exception>
 #include <map>
 #include <optional>
 #include <set>
@@ -445,6 +446,18 @@ class RunMessages::Impl {
   // Robots whose battery is empty now, and was before the last decision: then they saw nothing.
   std::vector<bool> empty_, blind_;
 };
+
+std::string why_stopped() {
+  if (const std::exception_ptr thrown = std::current_exception()) {
+    try {
+      std::rethrow_exception(thrown);
+    } catch (const std::exception& error) {
+      return error.what();
+    } catch (...) {  // the user's interruption
+    }
+  }
+  return {};
+}
 
 RunMessages::RunMessages(MessageSink& sink, RecorderOptions options)
     : impl_(std::make_unique<Impl>(sink, std::move(options))) {}

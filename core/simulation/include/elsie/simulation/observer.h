@@ -17,7 +17,7 @@ class Observer {
   /// Called between two steps after plugins were replaced, or after an edit made a new world:
   /// sensors may list other numbers, and robots, behaviours and obstacles may have changed.
   virtual void replaced(const Simulation&) {}
-  /// Called after the last step, also when a plugin failed or an observer threw.
+  /// Called after the last step; when a plugin or an observer threw, in the handler of that.
   virtual void ended(const Simulation&) {}
 };
 

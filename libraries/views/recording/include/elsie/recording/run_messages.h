@@ -13,6 +13,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "elsie/recording/formats.h"
 #include "elsie/recording/message_sink.h"
@@ -22,6 +23,10 @@ class Simulation;
 }
 
 namespace elsie::recording {
+
+/// To be called in Observer::ended(): the sentence of what has ended the run, such as a plugin's
+/// fault; "" for a run that ended by itself, or that the user stopped.
+std::string why_stopped();
 
 class RunMessages {
  public:
