@@ -295,7 +295,7 @@ TEST_CASE("A plugin that fails ends the run, and what was recorded is kept, with
   const auto result = metadata_of(file.path, "elsie.result");
   CHECK(result.at("outcome") == "stopped");
   CHECK_THAT(result.at("reason"),
-             Catch::Contains("of robot 'r1' failed in step 52") && Catch::EndsWith(": enough"));
+             Catch::Contains("of robot 'r1' failed in step 51") && Catch::EndsWith(": enough"));
   const traces::Trace trace = recording::read_trace(file.path);
   CHECK(trace.outcome == "stopped");
   CHECK(trace.robots[0].members[0].notes.size() == 51);
