@@ -3,8 +3,10 @@
 #include <QCommandLineParser>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <algorithm>
 #include <cstring>
 #include <iostream>
+#include <memory>
 #include <vector>
 
 #include "elsie/base/error.h"
@@ -42,6 +44,20 @@ QStringList take_plugins(std::vector<char*>& arguments) {
   return taken;
 }
 
+/// Whether the program is only asked something, which needs no display.
+bool is_question(const std::vector<char*>& arguments) {
+  return std::any_of(arguments.begin(), arguments.end(), [](const char* word) {
+    return word && QStringList{"-h", "--help", "--help-all", "-v", "--version"}.contains(word);
+  });
+}
+
+std::unique_ptr<QCoreApplication> application_of(int& count, std::vector<char*>& arguments) {
+  if (is_question(arguments)) {
+    return std::make_unique<QCoreApplication>(count, arguments.data());
+  }
+  return std::make_unique<QApplication>(count, arguments.data());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -54,18 +70,16 @@ int main(int argc, char** argv) {
   if (!qEnvironmentVariableIsSet("LP_NUM_THREADS")) {
     qputenv("LP_NUM_THREADS", "1");
   }
-  QApplication application(count, arguments.data());
-  QApplication::setOrganizationName("elsie");
-  QApplication::setApplicationName("elsie-desktop");
-  QApplication::setApplicationDisplayName("Elsie");
-
-  elsie::desktop::begin_language();
-  elsie::desktop::begin_theme();
+  const auto application = application_of(count, arguments);
+  QCoreApplication::setOrganizationName("elsie");
+  QCoreApplication::setApplicationName("elsie-desktop");
+  QCoreApplication::setApplicationVersion(ELSIE_VERSION);
 
   QCommandLineParser parser;
   parser.setApplicationDescription(
       "A window on worlds of behaviour-based robots: build, run, watch and change them.");
   parser.addHelpOption();
+  parser.addVersionOption();
   parser.addPositionalArgument("world", "World file to open", "[WORLD]");
   const QCommandLineOption plugin_path(
       "plugin-path", "Directory with plugin libraries, searched before all others; may be repeated",
@@ -76,9 +90,14 @@ int main(int argc, char** argv) {
   const QCommandLineOption elsie("elsie", "The program elsie, if it is not next to this one",
                                  "FILE");
   parser.addOptions({plugin_path, plugin, elsie});
-  QStringList words = QApplication::arguments();
+  QStringList words = QCoreApplication::arguments();
   words = words.mid(0, 1) + plugins + words.mid(1);
-  parser.process(words);
+  if (!parser.parse(words)) {
+    std::cerr << "elsie-desktop: " << parser.errorText().toStdString()
+              << " Run elsie-desktop --help for its options.\n";
+    return kBadInput;
+  }
+  parser.process(words);  // answers questions
 
   QStringList options;
   for (const QString& each : parser.values(plugin_path)) options << "--plugin-path" << each;
@@ -94,6 +113,9 @@ int main(int argc, char** argv) {
               << parser.positionalArguments().size() << "; each window has one\n";
     return kBadInput;
   }
+  QApplication::setApplicationDisplayName("Elsie");
+  elsie::desktop::begin_language();
+  elsie::desktop::begin_theme();
   try {
     elsie::desktop::MainWindow window(program, options);
     window.show();

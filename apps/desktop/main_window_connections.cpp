@@ -281,7 +281,8 @@ void MainWindow::show_problems() {
   problems_shown_ = all;
   problems_->set_problems(all);
   docks_.problems->setWindowTitle(all.empty() ? tr("Errors") : tr("Errors (%1)").arg(all.size()));
-  std::erase_if(all, [this](const Problem& each) { return !is_of_world(each.file); });
+  std::erase_if(all,
+                [this](const Problem& each) { return each.line <= 0 || !is_of_world(each.file); });
   editor_->set_problems(all);
   sources_->set_problems(problems_shown_);
   scene_->set_notice(notice());
@@ -309,6 +310,10 @@ QString MainWindow::notice() const {
 }
 
 void MainWindow::go_to(const QString& file, int line) {
+  if (line <= 0 && file.isEmpty()) {
+    docks_.problems->raise();  // it has no place
+    return;
+  }
   if (!is_of_world(file)) {
     open_source(file, line);
     return;

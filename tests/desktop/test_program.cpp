@@ -77,3 +77,22 @@ TEST_CASE("A wrong command line is refused with a sentence") {
   CHECK(program.process().exitCode() == 2);
   CHECK(program.process().readAllStandardError().contains("expected one world, but found 2"));
 }
+
+TEST_CASE("An unknown option is refused with a sentence") {
+  Program program({"--fullscreen"});
+  REQUIRE(program.process().waitForFinished(kPatience_ms));
+  CHECK(program.process().exitCode() == 2);
+  const QByteArray said = program.process().readAllStandardError();
+  CHECK(said.contains("elsie-desktop: Unknown option 'fullscreen'."));
+  CHECK(said.contains("--help"));
+}
+
+TEST_CASE("Questions are answered without a display") {
+  for (const char* question : {"--help", "--version"}) {
+    Program program({question}, {"DISPLAY=", "WAYLAND_DISPLAY=", "QT_QPA_PLATFORM=xcb"});
+    REQUIRE(program.process().waitForFinished(kPatience_ms));
+    CHECK(program.process().exitStatus() == QProcess::NormalExit);
+    CHECK(program.process().exitCode() == 0);
+    CHECK(program.process().readAllStandardOutput().contains("elsie-desktop"));
+  }
+}

@@ -12,6 +12,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "engine/compiler_messages.h"
 #include "text/completion.h"
 #include "text/problems_panel.h"
 #include "text/world_editor.h"
@@ -278,4 +279,26 @@ TEST_CASE("a warning says that it is one") {
   panel.set_problems({{QStringLiteral("/w/a.xml"), 3, QStringLiteral("too soft"), true}});
   auto* list = panel.findChild<QTreeWidget*>(QStringLiteral("problems"));
   CHECK(list->topLevelItem(0)->text(0) == QStringLiteral("Warning: too soft"));
+}
+
+TEST_CASE("errors of compilers and of Python lead to their files and lines") {
+  using elsie::desktop::Problem;
+  using elsie::desktop::problems_in;
+  const auto first = [](const char* message) { return problems_in(message).front(); };
+  Problem found = first("/home/me/pace.cpp:13:7: error: expected ';'\n   13 | int x\n");
+  CHECK(found.file == "/home/me/pace.cpp");
+  CHECK(found.line == 13);
+  CHECK(found.message == "expected ';'");
+  found = first(
+      "/home/me/my plugins/pace.py: pace.py:4: SyntaxError: invalid syntax; the library "
+      "that was there before is still in use");
+  CHECK(found.file == "/home/me/my plugins/pace.py");
+  CHECK(found.line == 4);
+  found = first("--plugin: '/home/me/pace.py' pace.py:4: SyntaxError: invalid syntax");
+  CHECK(found.file == "/home/me/pace.py");
+  CHECK(found.line == 4);
+  found = first("plugin 'pace' of robot 'r1' failed in step 3: ValueError: no (pace.py, line 9)");
+  CHECK(found.file == "pace.py");
+  CHECK(found.line == 9);
+  CHECK(first("the disk is full").line == 0);
 }

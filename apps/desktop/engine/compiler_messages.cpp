@@ -17,6 +17,10 @@ std::optional<CompilerLine> compiler_line(const QString& text) {
 }
 
 Problems problems_in(const QString& message) {
+  // "/home/me/pace.py: pace.py:13: SyntaxError", or with 'pace.py' in quotes.
+  static const QRegularExpression refused(
+      QStringLiteral("^(?:[^'\n]*')?([^'\n]+?\\.py)(?::|') [^\n:]+\\.py:(\\d+): "),
+      QRegularExpression::MultilineOption);
   // "(pace.py, line 13)" or "File "pace.py", line 13".
   static const QRegularExpression python(
       QStringLiteral("(?:File \"([^\"\\n]+)\"|\\(([^(\\n]+\\.py)), line (\\d+)"));
@@ -24,6 +28,9 @@ Problems problems_in(const QString& message) {
   for (const QString& text : message.split(u'\n')) {
     const auto found = compiler_line(text);
     if (found && found->is_error) problems.push_back({found->file, found->line, found->what});
+  }
+  if (const auto match = refused.match(message); problems.empty() && match.hasMatch()) {
+    problems.push_back({match.captured(1), match.captured(2).toInt(), message});
   }
   if (problems.empty()) {
     QRegularExpressionMatch last;

@@ -255,7 +255,8 @@ void Workbench::add_plugin(const QString& file, QObject* receiver, Done done) {
 void Workbench::keep_as_text(const QString& why) {
   tree_ = scene_ = Json();
   warnings_.clear();
-  set_problems({{file_, 0, why}});
+  const Problem first = problems_in(why).front();
+  set_problems({{first.line > 0 ? first.file : file_, first.line, why}});
   Q_EMIT described();
   Q_EMIT history_changed();
 }
