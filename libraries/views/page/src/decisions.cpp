@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "elsie/files/clean_text.h"
-#include "elsie/page/run_page.h"
+#include "elsie/page/viewer.h"
 #include "elsie/picture/svg.h"
 #include "elsie/picture/timeline.h"
 #include "elsie/traces/trace_account.h"

@@ -52,11 +52,11 @@ Vector2 seen_from(const Pose& pose, double x, double y) {
   return {c * dx + s * dy, c * dy - s * dx};
 }
 
+}  // namespace
+
 bool is_finite(const Pose& pose) {
   return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading_rad);
 }
-
-}  // namespace
 
 bool SampledLayer::thin() {
   if (last_ / every_ <= fewest_) return false;

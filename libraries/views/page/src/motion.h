@@ -8,13 +8,15 @@
 #include <vector>
 
 #include "elsie/api/image.h"
-#include "elsie/page/run_page.h"
+#include "elsie/page/viewer.h"
 #include "elsie/recording/recorded_run.h"
 #include "elsie/world/description.h"
 
 #include "layer.h"
 
 namespace elsie::page {
+
+bool is_finite(const Pose& pose);
 
 /// Bodies have numbers, in the order in which they first appear.
 class Bodies {

@@ -56,7 +56,7 @@ class Timeline {
           line.append(swatch);
         }
         const title = element("span", "name", row.name);
-        title.title = row.member ? `${row.member.path} (${row.member.plugin})` : row.name;
+        title.title = row.member ? this.explain(row) : row.name;
         row.now = element("span", "value");
         line.append(title, row.now);
         return line;
@@ -64,6 +64,11 @@ class Timeline {
     );
     this.describe(own);
     this.draw();
+  }
+
+  explain({member, parts}) {
+    const plugin = member.plugin ? ` (${member.plugin})` : "";
+    return member.path + plugin + (parts[0][0].of === "time" ? ": part of the time in which it decided" : "");
   }
 
   // For readers who do not see it.

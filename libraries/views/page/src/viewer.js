@@ -13,6 +13,9 @@ const timeline = new Timeline(run, find("rows"), find("chart"), find("axis"));
 const state = {time: 0, playing: false, speed: 1, robot: run.robots[0] ?? null};
 const options = {trails: true, sketches: true, names: true};
 const kMostChips = 6, kMostListed = 400;
+// A page of several runs shows each in a frame, which names it; the address is that of the page.
+const shown = window.frameElement?.dataset.run, home = shown ? parent : window;
+document.body.classList.toggle("framed", Boolean(shown));
 
 find("from-above").src = `data:image/svg+xml,${encodeURIComponent(run.picture)}`;
 let view = null;
@@ -86,17 +89,18 @@ const show = () => {
 };
 
 const write_link = () => {
-  const link = new URLSearchParams();
+  const link = new URLSearchParams(shown ? {run: shown} : {});
   link.set("t", String(Number(state.time.toFixed(2))));
   if (state.robot) link.set("robot", state.robot.id);
   try {
-    history.replaceState(null, "", `#${link}`);
+    home.history.replaceState(null, "", `#${link}`);
   } catch {
     // In a frame of another page there is no address to change.
   }
 };
 const read_link = () => {
-  const link = new URLSearchParams(location.hash.slice(1)), time = Number(link.get("t"));
+  const link = new URLSearchParams(home.location.hash.slice(1)), time = Number(link.get("t"));
+  if (shown && link.get("run") !== shown) return;
   const robot = run.robots.find((each) => each.id === link.get("robot"));
   if (robot) choose(robot, false);
   if (link.has("t") && Number.isFinite(time)) seek(time, false);
@@ -189,7 +193,7 @@ find("link").addEventListener("click", async () => {
   write_link();
   const said = find("link-said");
   try {
-    await navigator.clipboard.writeText(location.href);
+    await navigator.clipboard.writeText(home.location.href);
     said.textContent = "copied";
   } catch {
     said.textContent = "the address has it";
@@ -274,7 +278,7 @@ new ResizeObserver(() => {
   draw();
 }).observe(document.body);
 find("world").addEventListener("webglcontextlost", () => document.body.classList.add("flat"));
-addEventListener("hashchange", read_link);
+home.addEventListener("hashchange", read_link);
 
 choose(state.robot, false);
 read_link();
@@ -299,6 +303,7 @@ window.elsie = {
     seek(time);
     show();
   },
+  play,
   pose: (id) => run.pose(run.robots.find((robot) => robot.id === id)?.body ?? -1, run.sample(state.time)),
   project: (place) => view.project(place)?.slice(0, 2) ?? null,
   pixel(place) {

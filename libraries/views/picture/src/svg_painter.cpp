@@ -63,7 +63,7 @@ void SvgPainter::clip(const std::string& path, const Rect& box) {
     const std::string width = number(box.width), height = number(box.height);
     body_ += "<svg x=\"" + x + "\" y=\"" + y + "\" width=\"" + width + "\" height=\"" + height +
              "\" viewBox=\"" + x + " " + y + " " + width + " " + height +
-             "\" style=\"overflow:hidden\">";
+             "\" overflow=\"hidden\">";
     return;
   }
   const std::string name = "clip" + std::to_string(++clips_);

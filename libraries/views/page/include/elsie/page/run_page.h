@@ -9,22 +9,13 @@
 // of a world can therefore not run anything, and are escaped besides.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <string>
 
+#include "elsie/page/viewer.h"
 #include "elsie/plugin/host.h"
 
 namespace elsie::page {
-
-struct PageOptions {
-  /// The page becomes no larger if it can be helped, bytes: the more a run has, the coarser it is
-  /// sampled, down to kFewestSamples.
-  std::size_t most_bytes = 3'000'000;
-};
-
-/// At least so many samples of the poses are kept.
-inline constexpr std::size_t kFewestSamples = 64;
 
 struct RunPage {
   std::string html;
