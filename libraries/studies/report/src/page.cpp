@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "elsie/files/base64.h"
+#include "elsie/page/viewer.h"
 #include "elsie/report/report.h"
 #include "elsie/results/hash.h"
 
@@ -97,21 +98,28 @@ std::string html_report(const Findings& findings, const ResultsFile& file,
   add_behaviors(file, findings, detailed, inks);
   const PageContext page{findings, file, database, inks, detailed, answers};
   const std::string title = escaped(findings.results.experiment);
-  const std::string script = "\n" + std::string(kPageScript);
+  const std::string style = std::string("\n") + kPageStyle,
+                    script = std::string("\n") + kPageScript;
   // Under this policy, the browser refuses anything that a label could inject, and all requests.
-  return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-         "'unsafe-inline'; script-src " +
-         files::policy_hash(results::sha256(script)) +
-         "; img-src data:; base-uri 'none'; form-action 'none'\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-         "<meta name=\"color-scheme\" content=\"light dark\">\n"
-         "<meta name=\"generator\" content=\"elsie report\">\n"
-         "<link rel=\"icon\" href=\"data:,\">\n<title>" +
-         title + " \xe2\x80\x93 elsie report</title>\n<style>\n" + kPageStyle +
-         "</style>\n</head>\n<body>\n<main>\n" + answer_section(page) + comparison_sections(page) +
-         factor_sections(page) + time_sections(page) + cell_sections(page) + methods_section(page) +
-         "</main>\n<script>" + script + "</script>\n</body>\n</html>\n";
+  // The viewer's frame is under it, too.
+  const std::string head =
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src " +
+      files::policy_hash(results::sha256(style)) + " " + page::viewer_style_hash() +
+      "; script-src " + files::policy_hash(results::sha256(script)) + " " +
+      page::viewer_script_hash() +
+      "; img-src data:; base-uri 'none'; form-action 'none'\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n"
+      "<meta name=\"generator\" content=\"elsie report\">\n"
+      "<link rel=\"icon\" href=\"data:,\">\n<title>" +
+      title + " \xe2\x80\x93 elsie report</title>\n<style>" + style +
+      "</style>\n</head>\n<body>\n<main>\n" + answer_section(page) + comparison_sections(page) +
+      factor_sections(page) + time_sections(page);
+  const std::string rest = cell_sections(page) + methods_section(page) + "</main>\n<script>" +
+                           script + "</script>\n</body>\n</html>\n";
+  const std::size_t size = head.size() + rest.size();
+  return head + watch_section(page, kMostPageBytes - std::min(size, kMostPageBytes)) + rest;
 }
 
 }  // namespace elsie::report

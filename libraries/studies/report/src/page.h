@@ -40,6 +40,9 @@ std::string chart_figure(const Chart& chart, const picture::Size& size,
 /// those with notable runs, then an even selection of the others.
 std::vector<std::size_t> cells_in_detail(const Findings& findings, const std::string& filter);
 
+/// A page with runs is no larger. Without them it may be, if an experiment's texts are.
+inline constexpr std::size_t kMostPageBytes = 10'000'000;
+
 /// Files that are compiled in: page.css, page.js.
 extern const char* const kPageStyle;
 extern const char* const kPageScript;
@@ -52,6 +55,9 @@ std::string comparison_sections(const PageContext& page);
 std::string factor_sections(const PageContext& page);
 /// Times until the goals where some are cut off, and what happened over time. Reads the file.
 std::string time_sections(const PageContext& page);
+/// Runs that the page plays, in at most so many bytes, and why others are not among them; "" if
+/// there are none. Reads the file.
+std::string watch_section(const PageContext& page, std::size_t most_bytes);
 /// A section for each cell. Reads the file.
 std::string cell_sections(const PageContext& page);
 /// The methods and sources of the numbers.

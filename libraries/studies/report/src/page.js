@@ -47,11 +47,59 @@ if (table && document.querySelectorAll(".cell").length > 3) {
   });
 }
 const unfold = () => {
-  const folded = location.hash && document.querySelector(location.hash + " > details");
+  const folded = document.getElementById(location.hash.slice(1))?.querySelector(":scope > details");
   if (folded) folded.open = true;
 };
 addEventListener("hashchange", unfold);
 unfold();
+// Runs to watch: the page has the viewer once, and fills a frame with it and the chosen run.
+const player = document.querySelector("#watch iframe");
+if (player) {
+  const rows = new Map([...document.querySelectorAll("#watch tbody tr")].map((row) => [row.cells[0].textContent, row]));
+  const fit = () => {
+    const body = player.contentDocument?.body;
+    const border = player.offsetHeight - player.clientHeight;
+    player.style.height = body && player.clientWidth <= 820 ? `${body.scrollHeight + border}px` : "";
+  };
+  const watch = (id, plays) => {
+    const run = JSON.parse(document.getElementById(`run-${id}`).textContent);
+    for (const [own, row] of rows) own === id ? row.setAttribute("aria-current", "true") : row.removeAttribute("aria-current");
+    player.dataset.run = id;
+    player.onload = () => {
+      new player.contentWindow.ResizeObserver(() => requestAnimationFrame(fit)).observe(player.contentDocument.body);
+      if (plays) player.contentWindow.elsie.play(true);
+    };
+    player.srcdoc = player.dataset.viewer.replace(/\{\{(\w+)\}\}/g, (_, name) => run[name]);
+  };
+  for (const [id, row] of rows) {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.className = "play";
+    button.textContent = id;
+    button.setAttribute("aria-label", `Play run ${id}`);
+    button.addEventListener("click", () => {
+      watch(id, true);
+      player.scrollIntoView({block: "nearest"});
+    });
+    row.cells[0].replaceChildren(button);
+  }
+  player.hidden = false;
+  addEventListener("resize", fit);
+  // The first run is there when the reader comes to it; or the one in the address.
+  const asked = () => new URLSearchParams(location.hash.slice(1)).get("run");
+  const show_asked = () => {
+    if (!rows.has(asked()) || player.dataset.run === asked()) return;
+    watch(asked(), false);
+    player.scrollIntoView({behavior: "instant"});
+  };
+  addEventListener("hashchange", show_asked);
+  show_asked();
+  new IntersectionObserver((seen, observer) => {
+    if (!seen.some((each) => each.isIntersecting)) return;
+    observer.disconnect();
+    if (!player.dataset.run) watch(rows.keys().next().value, false);
+  }, {rootMargin: "400px"}).observe(player);
+}
 if (navigator.clipboard) {
   for (const code of document.querySelectorAll("code.command")) {
     const button = document.createElement("button");

@@ -14,9 +14,13 @@ namespace {
 
 using JsonValue = nlohmann::json;
 
-std::string query(const std::string& columns, const std::string& table, const std::string& order) {
-  return "SELECT run_id, " + columns + " FROM " + table +
-         " WHERE run_id IN (SELECT id FROM runs WHERE cell_id = ?) ORDER BY " + order;
+// Which rows of a table, by the id that is bound.
+constexpr const char* kOfCell = "run_id IN (SELECT id FROM runs WHERE cell_id = ?)";
+constexpr const char* kOfRun = "run_id = ?";
+
+std::string query(const std::string& columns, const std::string& table, const std::string& order,
+                  const char* which = kOfCell) {
+  return "SELECT run_id, " + columns + " FROM " + table + " WHERE " + which + " ORDER BY " + order;
 }
 
 // An element in a row of a list of lists; NaN if it is not a number.
@@ -46,29 +50,63 @@ void each(const std::string& text, const std::filesystem::path& file, const char
   for (const JsonValue& element : list) visit(element);
 }
 
+std::vector<Trajectory> read_trajectories(sqlite::Connection& connection,
+                                          const std::filesystem::path& file, const char* which,
+                                          std::int64_t id) {
+  std::vector<Trajectory> all;
+  sqlite::Statement rows(connection,
+                         query("robot, period_s, poses, x_m, y_m, heading_rad, from_s",
+                               "trajectories LEFT JOIN run_robots USING (run_id, robot)",
+                               "run_id, length(robot), robot", which));
+  rows.bind(1, id);
+  while (rows.next()) {
+    Trajectory way{rows.integer(0), rows.text(1), rows.number(2), {}, rows.number(7)};
+    each(rows.text(3), file, "trajectories", [&](const JsonValue& pose) {
+      way.poses.push_back({number(pose, 0), number(pose, 1), number(pose, 2)});
+    });
+    way.has_end = !rows.is_null(4);  // null for failed runs
+    if (way.has_end) way.poses.push_back({rows.number(4), rows.number(5), rows.number(6)});
+    all.push_back(std::move(way));
+  }
+  return all;
+}
+
+std::vector<Timeline> read_timelines(sqlite::Connection& connection,
+                                     const std::filesystem::path& file, const char* which,
+                                     std::int64_t id) {
+  std::vector<Timeline> all;
+  sqlite::Statement rows(connection, query("robot, behaviors, episodes", "timelines",
+                                           "run_id, length(robot), robot", which));
+  rows.bind(1, id);
+  while (rows.next()) {
+    Timeline timeline{rows.integer(0), rows.text(1), {}, {}};
+    each(rows.text(2), file, "timelines", [&](const JsonValue& behavior) {
+      timeline.behaviors.push_back({text_of(behavior, "path"), number_of(behavior, "share"),
+                                    number_of(behavior, "decided_s")});
+    });
+    each(rows.text(3), file, "timelines", [&](const JsonValue& episode) {
+      Timeline::Episode& last =
+          timeline.episodes.emplace_back(Timeline::Episode{number_of(episode, "from_s"),
+                                                           number_of(episode, "to_s"),
+                                                           text_of(episode, "decider"),
+                                                           number_of(episode, "share"),
+                                                           {}});
+      const auto parts = episode.find("parts");
+      if (parts == episode.end() || !parts->is_array()) return;
+      for (const JsonValue& part : *parts) {
+        last.parts.emplace_back(text_of(part, "decider"), number_of(part, "time_s"));
+      }
+    });
+    all.push_back(std::move(timeline));
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<Trajectory> ResultsFile::trajectories(std::int64_t cell) const {
-  return state_->reading([&] {
-    std::vector<Trajectory> all;
-    const std::filesystem::path& file = state_->file;
-    sqlite::Statement rows(state_->connection,
-                           query("robot, period_s, poses, x_m, y_m, heading_rad, from_s",
-                                 "trajectories LEFT JOIN run_robots USING (run_id, robot)",
-                                 "run_id, length(robot), robot"));
-    rows.bind(1, cell);
-    while (rows.next()) {
-      Trajectory way{rows.integer(0), rows.text(1), rows.number(2), {}, rows.number(7)};
-      each(rows.text(3), file, "trajectories", [&](const JsonValue& pose) {
-        way.poses.push_back({number(pose, 0), number(pose, 1), number(pose, 2)});
-      });
-      if (!rows.is_null(4)) {  // null for failed runs
-        way.poses.push_back({rows.number(4), rows.number(5), rows.number(6)});
-      }
-      all.push_back(std::move(way));
-    }
-    return all;
-  });
+  return state_->reading(
+      [&] { return read_trajectories(state_->connection, state_->file, kOfCell, cell); });
 }
 
 std::vector<Curve> ResultsFile::curves(std::int64_t cell) const {
@@ -102,41 +140,44 @@ std::vector<Event> ResultsFile::events(std::int64_t cell) const {
                            query("time_s, name", "run_events", "run_id, place"));
     rows.bind(1, cell);
     while (rows.next()) {
-      all.push_back({rows.integer(0), rows.number(1), rows.text(2)});
+      all.push_back({rows.integer(0), rows.number(1), rows.text(2), {}, {}});
     }
     return all;
   });
 }
 
 std::vector<Timeline> ResultsFile::timelines(std::int64_t cell) const {
+  return state_->reading(
+      [&] { return read_timelines(state_->connection, state_->file, kOfCell, cell); });
+}
+
+std::vector<std::int64_t> ResultsFile::runs_with_trajectories() const {
   return state_->reading([&] {
-    std::vector<Timeline> all;
-    const std::filesystem::path& file = state_->file;
-    sqlite::Statement rows(state_->connection, query("robot, behaviors, episodes", "timelines",
-                                                     "run_id, length(robot), robot"));
-    rows.bind(1, cell);
+    std::vector<std::int64_t> runs;
+    sqlite::Statement rows(state_->connection,
+                           "SELECT DISTINCT run_id FROM trajectories ORDER BY run_id");
+    while (rows.next()) runs.push_back(rows.integer(0));
+    return runs;
+  });
+}
+
+RunDetails ResultsFile::run_details(std::int64_t run) const {
+  return state_->reading([&] {
+    sqlite::Connection& connection = state_->connection;
+    RunDetails details;
+    sqlite::Statement world(connection, "SELECT world_text FROM run_worlds WHERE run_id = ?");
+    world.bind(1, run);
+    if (world.next()) details.world_text = world.text(0);
+    details.trajectories = read_trajectories(connection, state_->file, kOfRun, run);
+    details.timelines = read_timelines(connection, state_->file, kOfRun, run);
+    sqlite::Statement rows(connection,
+                           query("time_s, name, robot, detail", "run_events", "place", kOfRun));
+    rows.bind(1, run);
     while (rows.next()) {
-      Timeline timeline{rows.integer(0), rows.text(1), {}, {}};
-      each(rows.text(2), file, "timelines", [&](const JsonValue& behavior) {
-        timeline.behaviors.push_back({text_of(behavior, "path"), number_of(behavior, "share"),
-                                      number_of(behavior, "decided_s")});
-      });
-      each(rows.text(3), file, "timelines", [&](const JsonValue& episode) {
-        Timeline::Episode& last =
-            timeline.episodes.emplace_back(Timeline::Episode{number_of(episode, "from_s"),
-                                                             number_of(episode, "to_s"),
-                                                             text_of(episode, "decider"),
-                                                             number_of(episode, "share"),
-                                                             {}});
-        const auto parts = episode.find("parts");
-        if (parts == episode.end() || !parts->is_array()) return;
-        for (const JsonValue& part : *parts) {
-          last.parts.emplace_back(text_of(part, "decider"), number_of(part, "time_s"));
-        }
-      });
-      all.push_back(std::move(timeline));
+      details.events.push_back(
+          {rows.integer(0), rows.number(1), rows.text(2), rows.text(3), rows.text(4)});
     }
-    return all;
+    return details;
   });
 }
 

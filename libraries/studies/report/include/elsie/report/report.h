@@ -30,8 +30,8 @@ std::string junit_report(const Findings& findings, const std::string& database);
 std::string json_report(const Findings& findings, const Answers& answers = {});
 
 /// One self-contained HTML page. `file` is the file of the findings; trajectories and timelines are
-/// read from it cell by cell. At most a hundred cells have a section with figures; `cells` selects
-/// those whose labels contain it. Throws like ResultsFile.
+/// read from it cell by cell. At most a hundred cells have a section with figures, and at most a
+/// dozen runs are played; `cells` selects cells whose labels contain it. Throws like ResultsFile.
 std::string html_report(const Findings& findings, const ResultsFile& file,
                         const std::string& database, const std::string& cells = "",
                         const Answers& answers = {});

@@ -86,9 +86,12 @@ struct Trajectory {
   std::int64_t run = 0;
   std::string robot;
   double period_s = 0.0;
-  /// The last pose is at the end of the run, less than a period after its predecessor.
+  /// The last pose is at the end of the run, less than a period after its predecessor, if there is
+  /// one: see has_end.
   std::vector<Pose> poses;
   double from_s = 0.0;  // the time of the first
+  bool has_end =
+      false;  // otherwise the run failed, or the robot was removed: all are a period apart
 };
 
 /// What a robot's plugins or the simulator said during a run.
@@ -96,6 +99,8 @@ struct Event {
   std::int64_t run = 0;
   double time_s = 0.0;
   std::string name;
+  std::string robot;   // empty: the world's
+  std::string detail;  // only of run_details()
 };
 
 /// A learning curve of a plugin, from training before the run.
@@ -131,6 +136,14 @@ struct Timeline {
   std::vector<Episode> episodes;
 };
 
+/// Everything that is stored of one run over its time.
+struct RunDetails {
+  std::string world_text;  // as resolved for its seed
+  std::vector<Trajectory> trajectories;
+  std::vector<Timeline> timelines;
+  std::vector<Event> events;
+};
+
 /// A results database, opened for reading in one state, even while a batch is writing it.
 class ResultsFile {
  public:
@@ -150,6 +163,10 @@ class ResultsFile {
   std::vector<Timeline> timelines(std::int64_t cell) const;
   /// In the order of the runs and of time.
   std::vector<Event> events(std::int64_t cell) const;
+
+  /// The ids of the runs that have trajectories, ascending.
+  std::vector<std::int64_t> runs_with_trajectories() const;
+  RunDetails run_details(std::int64_t run) const;
 
  private:
   struct State;
