@@ -21,6 +21,7 @@
 #include "control_bar.h"
 #include "engine/past.h"
 #include "export/exporter.h"
+#include "export/sharer.h"
 #include "recorded_world.h"
 #include "scene/scene_view.h"
 #include "start_page.h"
@@ -84,6 +85,7 @@ MainWindow::MainWindow(const QString& elsie, const QStringList& options, QWidget
   setCentralWidget(centre_);
   authoring_ = new Authoring(workbench_, *scene_, this);
   exporter_ = new Exporter(workbench_, *scene_, *time_line_, *past_, this);
+  sharer_ = new Sharer(workbench_, elsie, options, this);
   runs_ = new RunReader(elsie, options, this);
 
   make_menus();

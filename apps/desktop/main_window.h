@@ -40,6 +40,7 @@ class RunCard;
 struct StoredRun;
 class SceneView;
 class SensorsPanel;
+class Sharer;
 class StartPage;
 class StuckNotice;
 class TimeLine;
@@ -138,7 +139,7 @@ class MainWindow : public QMainWindow {
   bool is_agreed(const char* name, const QString& title, const QString& question);
   void open_database(const QString& file);
   void read_run(const QString& file, const StoredRun& run);
-  void show_recording(const QString& title, const RecordedWorld& world);
+  void show_recording(Recorded recorded);
   void set_end_of_recording(double time_s);
   /// The recording that runs here; null if another run is shown, or if the world was changed.
   const Recorded* recorded() const;
@@ -202,6 +203,7 @@ class MainWindow : public QMainWindow {
   Past* past_;
   Authoring* authoring_;
   Exporter* exporter_;
+  Sharer* sharer_;
   QStackedWidget* centre_;
   SceneView* scene_;
   RunCard* run_card_;

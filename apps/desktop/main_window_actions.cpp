@@ -15,6 +15,7 @@
 #include "authoring/authoring.h"
 #include "control_bar.h"
 #include "export/exporter.h"
+#include "export/sharer.h"
 #include "look/icons.h"
 #include "main_window.h"
 #include "new_world.h"
@@ -106,6 +107,10 @@ void MainWindow::fill_file_menu(QMenu* menu) {
   command(
       menu, with_world_, "export_film", tr("Export &film..."), {},
       [this] { exporter_->export_film(); }, tr("Writes the run, from its start to now, as a film"));
+  command(
+      menu, with_world_, "share", tr("S&hare as a page..."), {},
+      [this] { sharer_->share(recorded()); },
+      tr("Writes the run as one HTML file that plays it in any browser"));
   command(
       menu, with_world_, "record", tr("&Record the next run..."), {},
       [this] { exporter_->record(); },

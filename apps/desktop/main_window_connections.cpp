@@ -14,6 +14,7 @@
 #include "control_bar.h"
 #include "engine/past.h"
 #include "export/exporter.h"
+#include "export/sharer.h"
 #include "main_window.h"
 #include "paint/warning_label.h"
 #include "recorded_world.h"
@@ -190,6 +191,7 @@ void MainWindow::connect_views() {
     say(tr("The view showed the past, in which nothing can be changed. Now it shows the present."));
   });
   connect(exporter_, &Exporter::said, this, &MainWindow::say);
+  connect(sharer_, &Sharer::said, this, &MainWindow::say);
   connect(scene_, &SceneView::measured, this, [this](double x, double y, double to_x, double to_y) {
     say(tr("from (%1, %2) to (%3, %4): %5 m")
             .arg(x, 0, 'f', 3)

@@ -37,11 +37,12 @@ void MainWindow::read_run(const QString& file, const StoredRun& run) {
       const bool is_cut = world.end.is_cut || run.end.is_cut;
       world.end = run.end;
       world.end.is_cut = is_cut;
-      show_recording(tr("run %1 of %2").arg(run.number).arg(name), world);
+      show_recording(
+          {file, run.number, tr("run %1 of %2").arg(run.number).arg(name), world, {}, {}});
       time_line_->expect({}, run.end.time_s);
       return;
     }
-    show_recording(name, world);
+    show_recording({file, 0, name, world, {}, {}});
     runs_->read_events(file, [this](const RecordedEvents& recorded) {
       time_line_->expect(recorded.events, recorded.end_s);
       set_end_of_recording(recorded.end_s);
@@ -49,9 +50,10 @@ void MainWindow::read_run(const QString& file, const StoredRun& run) {
   });
 }
 
-void MainWindow::show_recording(const QString& title, const RecordedWorld& world) {
-  recorded_ = std::make_unique<Recorded>(Recorded{title, world, workbench_.text(), {}});
-  set_end_of_recording(world.end.time_s);
+void MainWindow::show_recording(Recorded recorded) {
+  recorded.text = workbench_.text();
+  recorded_ = std::make_unique<Recorded>(std::move(recorded));
+  set_end_of_recording(recorded_->world.end.time_s);
   show_state();
 }
 

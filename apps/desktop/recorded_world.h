@@ -41,6 +41,8 @@ struct RecordedWorld {
 
 /// The recording that a window plays.
 struct Recorded {
+  QString source;  // the recording, or a database of results
+  int run = 0;     // its number in the database; 0: a recording
   QString title;
   RecordedWorld world;
   QString text;     // the world's text when it was opened

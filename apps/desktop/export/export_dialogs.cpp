@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QRadioButton>
@@ -163,6 +165,16 @@ std::optional<PictureChoice> Dialogs::picture(const QSize& shown, QWidget* paren
 }
 
 }  // namespace
+
+QString ask_for_file(const QString& title, const QString& name, const QString& kinds,
+                     QWidget* parent) {
+  QFileDialog dialog(parent, title, {}, kinds);
+  dialog.setObjectName(QStringLiteral("export_dialog"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(QFileInfo(name).suffix());
+  dialog.selectFile(name);
+  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().front() : QString();
+}
 
 std::optional<FilmChoice> ask_for_film(const QSize& shown, double run_s, QWidget* parent) {
   return Dialogs::film(shown, run_s, parent);

@@ -9,6 +9,10 @@ class QWidget;
 
 namespace elsie::desktop {
 
+/// The file to write, "" if the user cancels. `name`: the proposed one, with its ending.
+QString ask_for_file(const QString& title, const QString& name, const QString& kinds,
+                     QWidget* parent);
+
 struct FilmChoice {
   QString ending = QStringLiteral("avi");
   QSize size;          // of its pictures

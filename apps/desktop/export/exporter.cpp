@@ -2,8 +2,6 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QImage>
 #include <QProgressDialog>
 #include <algorithm>
@@ -42,15 +40,6 @@ Exporter::Exporter(Workbench& workbench, SceneView& scene, TimeLine& time_line, 
 
 Exporter::~Exporter() = default;
 
-QString Exporter::ask_for_file(const QString& title, const QString& name, const QString& kinds) {
-  QFileDialog dialog(window_, title, {}, kinds);
-  dialog.setObjectName("export_dialog");
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setDefaultSuffix(QFileInfo(name).suffix());
-  dialog.selectFile(name);
-  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().front() : QString();
-}
-
 // Pictures
 
 std::unique_ptr<SceneView> Exporter::studio(const QSize& pixels, double ratio) {
@@ -80,7 +69,7 @@ void Exporter::export_picture() {
     return;
   }
   const QString file = ask_for_file(tr("Export the picture"), "world." + choice->ending,
-                                    tr("Pictures (*.%1)").arg(choice->ending));
+                                    tr("Pictures (*.%1)").arg(choice->ending), window_);
   if (!file.isEmpty()) {
     choice->is_from_above ? write_from_above(file, *choice) : write_view(file, *choice);
   }
@@ -143,7 +132,7 @@ void Exporter::export_film() {
     return;
   }
   const QString file = ask_for_file(tr("Export the film"), "run." + choice->ending,
-                                    tr("Films (*.%1)").arg(choice->ending));
+                                    tr("Films (*.%1)").arg(choice->ending), window_);
   if (!file.isEmpty()) {
     write_film(file, *choice);
   }
@@ -267,7 +256,7 @@ void Exporter::leave_film() {
 
 void Exporter::record() {
   const QString file = ask_for_file(tr("Record the next run: 10 samples per simulated second"),
-                                    "run.mcap", tr("Recordings (*.mcap *.csv)"));
+                                    "run.mcap", tr("Recordings (*.mcap *.csv)"), window_);
   if (!file.isEmpty()) {
     record_into(file);
   }

@@ -53,8 +53,6 @@ class Exporter : public QObject {
   void film_ended(bool is_whole);
 
  private:
-  /// Returns "" if the user cancels.
-  QString ask_for_file(const QString& title, const QString& name, const QString& kinds);
   void end_picture(const QString& file, const QString& why);
   /// A view like that of the window, for pictures of another size.
   std::unique_ptr<SceneView> studio(const QSize& pixels, double ratio);

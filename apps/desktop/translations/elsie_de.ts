@@ -2967,6 +2967,14 @@ Trotzdem speichern?</translation>
         <source>Language</source>
         <translation>Sprache</translation>
     </message>
+    <message>
+        <source>S&amp;hare as a page...</source>
+        <translation>Als S&amp;eite weitergeben...</translation>
+    </message>
+    <message>
+        <source>Writes the run as one HTML file that plays it in any browser</source>
+        <translation>Schreibt den Lauf als eine HTML-Datei, die ihn in jedem Browser abspielt</translation>
+    </message>
 </context>
 <context>
     <name>elsie::desktop::NewBehaviorDialog</name>
@@ -3433,6 +3441,87 @@ Trotzdem speichern?</translation>
     <message>
         <source>not stored</source>
         <translation>nicht gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>elsie::desktop::Sharer</name>
+    <message>
+        <source>A page is being written already.</source>
+        <translation>Es wird schon eine Seite geschrieben.</translation>
+    </message>
+    <message>
+        <source>There is no run to show: run the world first.</source>
+        <translation>Es gibt keinen Lauf zu zeigen: Lassen Sie zuerst die Welt laufen.</translation>
+    </message>
+    <message>
+        <source>Share the run as a page</source>
+        <translation>Den Lauf als Seite weitergeben</translation>
+    </message>
+    <message>
+        <source>Pages (*.html)</source>
+        <translation>Seiten (*.html)</translation>
+    </message>
+    <message>
+        <source>there is no room for temporary files: %1</source>
+        <translation>für vorübergehende Dateien ist kein Platz: %1</translation>
+    </message>
+    <message>
+        <source>Writing &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>the engine does not say how the run began</source>
+        <translation>die Engine sagt nicht, wie der Lauf begann</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; ended without a message</source>
+        <translation>&apos;%1&apos; endete ohne eine Meldung</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not start: %2</source>
+        <translation>&apos;%1&apos; startet nicht: %2</translation>
+    </message>
+    <message>
+        <source>The page is written</source>
+        <translation>Die Seite ist geschrieben</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 MB. It plays the run in any browser, without Elsie and without a network.</source>
+        <translation>&apos;%1&apos; hat %2 MB. Die Seite spielt den Lauf in jedem Browser, ohne Elsie und ohne Netz.</translation>
+    </message>
+    <message>
+        <source>&amp;Open in the browser</source>
+        <translation>Im Browser ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>Not opened</source>
+        <translation>Nicht geöffnet</translation>
+    </message>
+    <message>
+        <source>No browser opens &apos;%1&apos;. Open it from your browser or file manager.</source>
+        <translation>Kein Browser öffnet &apos;%1&apos;. Öffnen Sie die Datei in Ihrem Browser oder Ihrer Dateiverwaltung.</translation>
+    </message>
+    <message>
+        <source>The page is in &apos;%1&apos;</source>
+        <translation>Die Seite ist in &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Not shared</source>
+        <translation>Nicht weitergegeben</translation>
+    </message>
+    <message>
+        <source>The page could not be written to &apos;%1&apos;: %2
+What was there before is unchanged.</source>
+        <translation>Die Seite konnte nicht nach &apos;%1&apos; geschrieben werden: %2
+Was vorher dort war, ist unverändert.</translation>
     </message>
 </context>
 <context>

@@ -45,7 +45,10 @@ Json Repetition::command(const std::vector<std::string>& options) const {
     is_saved = !file_.empty() && world::read_text(file_) == text_;
   } catch (const world::WorldError&) {  // there is no such file
   }
-  return {{"text", process::shell_line(words)}, {"saved", is_saved}};
+  return {{"text", process::shell_line(words)},
+          {"words", Json(std::vector<std::string>(words.begin() + 1, words.end()))},
+          {"world", text_},
+          {"saved", is_saved}};
 }
 
 }  // namespace elsie::server

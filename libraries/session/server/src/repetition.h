@@ -20,8 +20,9 @@ class Repetition {
   /// Adds edits that were made together between two steps. `step_s`: the length of a step.
   void add(double time_s, double step_s, std::vector<std::string> edits);
 
-  /// An object with `text`, the command, and `saved`, whether the file has the text with which the
-  /// run began. `options`: the options for plugins.
+  /// An object with `text`, the command; `words`, those after "elsie", the world's file second;
+  /// `world`, the text with which the run began; and `saved`, whether the file has that text.
+  /// `options`: the options for plugins.
   Json command(const std::vector<std::string>& options) const;
 
  private:
