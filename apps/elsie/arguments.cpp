@@ -54,8 +54,7 @@ CLI::Validator non_negative_number() {
 }
 
 CLI::Validator number_between(double least, double most) {
-  const std::string range =
-      "from " + base::fixed_text(least, 0) + " to " + base::fixed_text(most, 0);
+  const std::string range = "from " + base::number_text(least) + " to " + base::number_text(most);
   return CLI::Validator(
       [=](std::string& text) -> std::string {
         const auto value = parse_number(text);

@@ -250,7 +250,7 @@ TEST_CASE("The older protocol holds a run by parameters") {
   CHECK(held.at("time_s") == 2.5);
   client.send({{"op", "setParameters"}, {"parameters", {{{"name", "speed"}, {"value", -1}}}}});
   CHECK_THAT(client.text("status").at("message").get<std::string>(),
-             Catch::Contains("the speed is not above 0"));
+             Catch::Contains("the speed is no number above 0"));
 }
 
 TEST_CASE("A client that does not read loses pictures, and the run nothing") {

@@ -44,7 +44,10 @@ TEST_CASE("An image of the floor is in a page once, however often the world is e
 TEST_CASE("elsie page refuses what it cannot do, in a sentence and with code 2") {
   Workplace here;
   here.elsie("run worlds/open_arena.xml --duration 1 --record run.mcap --quiet");
-  here.write("notes.html", "my notes");
+  here.write("notes.html", "<!doctype html>\n<html><body>my notes</body></html>\n");
+  const std::string notes = here.read("notes.html");
+  here.write("empty.xml", "<world format=\"1\"><limits time=\"1\"/></world>");
+  here.elsie("run empty.xml --record empty.mcap --quiet");
   here.write("results.sqlite", "SQLite format 3");
   here.write("damaged.mcap", here.read("run.mcap").replace(2000, 40, std::string(40, 'x')));
   const auto [arguments, sentence] = GENERATE(table<std::string, std::string>({
@@ -55,12 +58,36 @@ TEST_CASE("elsie page refuses what it cannot do, in a sentence and with code 2")
       {"run.mcap -o run.txt", "--output: a page's name must end in .html, but 'run.txt' does not"},
       {"run.mcap -o notes.html", "notes.html"},
       {"run.mcap -o no/where.html", "no/where.html"},
-      {"run.mcap --megabytes 0.1", "--megabytes"},
+      {"run.mcap --megabytes 0.1", "'0.1' is not a number from 0.2 to 100"},
+      {"empty.mcap", "'empty.mcap' has a run without robots; expected a recording with robots"},
   }));
   CAPTURE(arguments);
   const auto refused = here.elsie("page " + arguments);
   CHECK(refused.exit_code == 2);
   CHECK(refused.out.empty());
   CHECK_THAT(refused.err, Catch::Contains(sentence));
-  CHECK(here.read("notes.html") == "my notes");
+  CHECK(here.read("notes.html") == notes);
+}
+
+TEST_CASE("The page of a run that a plugin has ended says why") {
+  Workplace here;
+  here.write("fails.cpp", R"(#include <elsie/api/behavior.h>
+#include <stdexcept>
+class Fails final : public elsie::Behavior {
+ public:
+  elsie::Response respond(const elsie::Perception& now) override {
+    if (now.time_s() > 0.3) throw std::runtime_error("enough is enough");
+    return elsie::Motion{.forward = 0.1};
+  }
+};
+ELSIE_BEHAVIOR(Fails, "fails", "Fails");
+)");
+  here.write("fails.xml",
+             R"(<world format="1"><robots><robot id="r1"><behaviors><fails/></behaviors>
+  <coordinator><arbiter_suppression/></coordinator></robot></robots></world>)");
+  here.elsie("run fails.xml --plugin fails.cpp --record fails.mcap --quiet");
+  CHECK(here.elsie("page fails.mcap").exit_code == 0);
+  CHECK_THAT(here.read("fails.html"),
+             Catch::Contains("stopped after 0.3 s: plugin &apos;fails&apos; of robot") &&
+                 Catch::Contains("enough is enough"));
 }

@@ -15,8 +15,10 @@ bool has(std::string_view start, std::string_view word) {
   return start.find(word) != std::string_view::npos;
 }
 
-/// True if a file that begins like this is one that this program writes with this suffix.
-bool is_what_its_name_says(std::string_view start, const std::string& suffix) {
+/// True if a file that begins like this is one of this kind that this program writes with this
+/// suffix.
+bool is_what_its_name_says(std::string_view start, const std::string& suffix,
+                           const std::string& kind) {
   if (suffix == ".png") {
     return start.starts_with("\x89PNG");
   }
@@ -24,7 +26,7 @@ bool is_what_its_name_says(std::string_view start, const std::string& suffix) {
     return has(start, "<svg");
   }
   if (suffix == ".html") {
-    return has(start, "<!doctype html") || has(start, "<!DOCTYPE html") || has(start, "<html");
+    return has(start, "<meta name=\"generator\" content=\"elsie " + kind + "\">");
   }
   if (suffix == ".xml") {
     return has(start, "<testsuites");
@@ -52,7 +54,7 @@ void require_database_name(const fs::path& file, const char* option) {
 
 void require_replaceable(const fs::path& file, const char* option, const char* kind) {
   files::require_replaceable(file, option, kind, [&](std::string_view start) {
-    return is_what_its_name_says(start, file.extension().string());
+    return is_what_its_name_says(start, file.extension().string(), kind);
   });
 }
 

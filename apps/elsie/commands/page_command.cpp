@@ -66,6 +66,13 @@ int page(const PageCommandOptions& options) {
   out() << "wrote " << file.string() << ": "
         << base::fixed_text(static_cast<double>(made.html.size()) / kMegabyte, 2)
         << " MB, a pose every " << base::seconds_text(made.poses_every_s) << '\n';
+  if (static_cast<double>(made.html.size()) > options.megabytes * kMegabyte) {
+    err() << "elsie: " << file.string() << " is larger than the "
+          << base::number_text(options.megabytes)
+          << " MB asked for: what it has cannot be sampled more coarsely; a recording of fewer "
+             "robots "
+             "(elsie run --record-robots) gives a smaller one\n";
+  }
   return kSuccess;
 }
 

@@ -2,11 +2,11 @@
 "use strict";
 addEventListener("load", async () => {
   const found = { errors: window.pageErrors, width: innerWidth };
-  const pause = () => new Promise((go) => setTimeout(go, 60));
+  const frame = () => new Promise((go) => requestAnimationFrame(() => requestAnimationFrame(go)));  // what is due is drawn
   const press = (key, more = {}) => document.body.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true, ...more }));
   const page = window.elsie;
   try {
-    await pause();
+    await frame();
     found.dark = matchMedia("(prefers-color-scheme: dark)").matches;
     found.at_load = { time: page.time, robot: page.robot };
     found.resources = performance.getEntriesByType("resource").map((entry) => entry.name.slice(0, 60)).filter((name) => !name.startsWith("data:"));
@@ -63,13 +63,23 @@ addEventListener("load", async () => {
     const slider = document.getElementById("time");
     slider.value = page.run.end / 2;
     slider.dispatchEvent(new Event("input"));
-    await pause();
+    await frame();
     found.slid = page.time;
     found.text = slider.getAttribute("aria-valuetext");
     found.address = location.hash;
+    const arrived = new Promise((go) => addEventListener("hashchange", go, { once: true }));
     location.hash = "#t=1.5&robot=" + encodeURIComponent(found.robots[0]);
-    await pause();
+    await arrived;
+    await frame();
     found.linked = { time: page.time, robot: page.robot };
+
+    // A button that a pointer has pressed does not keep the keys.
+    const trails = document.getElementById("trails");
+    trails.focus();
+    trails.dispatchEvent(new PointerEvent("pointerdown", { bubbles: true }));
+    trails.click();
+    found.holds_keys = document.activeElement === trails;
+    trails.click();
 
     // Touch: a finger turns the view, two fingers come nearer.
     if (found.space) {

@@ -103,6 +103,7 @@ TEST_CASE("A link leads to an instant and a robot; keys, slider and fingers do w
   CHECK_THAT(found["text"].get<std::string>(), Catch::Matches("10\\.0 s, [a-z_]+ decides"));
   CHECK(found["address"] == "#t=10&robot=r2");
   CHECK(found["linked"] == json({{"time", 1.5}, {"robot", "r1"}}));
+  CHECK(found["holds_keys"] == false);
   CHECK(found["views"] == 3);
 }
 
@@ -133,7 +134,7 @@ TEST_CASE("Texts that look like markup stay texts") {
   CHECK(browser.log().find("CONSOLE") == std::string::npos);
 }
 
-TEST_CASE("Pictures of the page, to be looked at") {
+TEST_CASE("Pictures of the page, to be looked at", "[.pictures]") {
   RecordedFile run(shipped_world("clutter.xml", 40), shipped());
   Browser browser = browser_of(page::run_page(run.path, shipped()).html);
   CHECK(std::filesystem::file_size(browser.shoot("desk.png", 1280, 800, "", "#t=25")) > 50'000);

@@ -97,7 +97,7 @@ double number_of(const Json& json, const char* name, const char* expected) {
 
 double speed_of(double speed) {
   if (!std::isfinite(speed) || speed <= 0.0) {
-    throw Wrong("the speed is not above 0; expected simulated seconds per second, such as 1");
+    throw Wrong("the speed is no number above 0; expected simulated seconds per second, such as 1");
   }
   return speed;
 }

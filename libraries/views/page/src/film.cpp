@@ -57,8 +57,10 @@ std::string ending(const RecordedRun& run) {
     return "no outcome: the recording ends after " + base::fixed_text(run.end_s, 1) + " s";
   }
   const std::string& outcome = run.result->outcome;
+  const bool says_why = outcome == "stopped" || outcome == "failure";
   return (outcome == "time_limit" ? "time limit" : outcome) + " after " +
-         base::fixed_text(run.result->simulated_s, 1) + " s";
+         base::fixed_text(run.result->simulated_s, 1) + " s" +
+         (says_why && !run.result->reason.empty() ? ": " + run.result->reason : "");
 }
 
 std::string subtitle(const RecordedRun& run) {
@@ -76,7 +78,7 @@ std::string facts_text(const RecordedRun& run, const Film::Facts& more) {
   add("world", run.world);
   add("file", std::filesystem::path(run.world_file).filename().string());
   add("seed", std::to_string(run.seed));
-  add("outcome", ending(run));
+  add("outcome", run.result ? run.result->outcome : ending(run));
   if (run.result) {
     add("reason", run.result->reason);
     if (!run.result->state_hash.empty()) {

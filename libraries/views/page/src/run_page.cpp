@@ -18,10 +18,12 @@ RunPage run_page(const std::filesystem::path& recording, const plugin::Host& dri
   const RecordedRun run =
       recording::watch_recorded_run(recording, [&](const RecordedRun& state) { film.add(state); });
   if (film.empty()) {
-    throw base::BadInput(
-        "'" + recording.string() + "' " +
-        (run.missing_end.empty() ? "has no run of Elsie" : "breaks off before its first second") +
-        "; expected a recording that `elsie run WORLD --record FILE.mcap` has written to its end");
+    const std::string what = !run.missing_end.empty() ? "breaks off before its first second"
+                             : run.result             ? "has a run without robots"
+                                                      : "has no run of Elsie";
+    throw base::BadInput("'" + recording.string() + "' " + what +
+                         "; expected a recording with robots that `elsie run WORLD --record "
+                         "FILE.mcap` has written to its end");
   }
   const traces::Trace trace = recording::read_trace(recording);
   Decisions decisions(trace);

@@ -55,7 +55,9 @@ class Timeline {
           line.style.paddingLeft = `${8 + 12 * row.member.depth}px`;
           line.append(swatch);
         }
-        const title = element("span", "name", row.name);
+        const title = element("span", "name", row.kind === "number" ? row.name.split("/").pop() : row.name);
+        const whose = row.kind === "number" && row.name.split("/").slice(0, -1).join("/");
+        if (whose) title.prepend(element("small", "", whose));
         title.title = row.member ? this.explain(row) : row.name;
         row.now = element("span", "value");
         line.append(title, row.now);
@@ -125,7 +127,7 @@ class Timeline {
   }
 
   axis(pen, height, colour) {
-    const step = tick_step(this.run.end, Math.max(2, Math.floor(this.width / 90)));
+    const step = tick_step(this.run.end, Math.max(3, Math.floor(this.width / 90)));
     pen.fillStyle = colour("--hair");
     const labels = [];
     for (let i = 0; i * step <= this.run.end * (1 + 1e-9); ++i) {

@@ -36,7 +36,7 @@ const draw = () => {
   });
 };
 
-let before = 0, still = 0;
+let before = 0, still = 0, fast = 0;
 const frame = (now) => {
   if (state.playing) {
     const passed = Math.min((now - before) / 1000, 0.25);
@@ -56,6 +56,8 @@ const show = () => {
     // Pictures that take too long lose shadows and pixels; a picture that stands still gets them back.
     slow = 0.8 * slow + 0.2 * (performance.now() - from);
     if (slow > 45 && view.quality > 0.3) [view.quality, slow] = [view.quality - 0.35, 0];
+    if (slow > 12 || view.quality === 1 || !state.playing) fast = 0;
+    else if (++fast > 90) [view.quality, fast] = [Math.min(view.quality + 0.35, 1), 0];
     clearTimeout(still);
     if (view.quality < 1 && !state.playing) {
       still = setTimeout(() => {
@@ -66,7 +68,8 @@ const show = () => {
       }, 250);
     }
   }
-  const said = timeline.say(state.time), part = state.time / run.end;
+  const is_there = state.robot && run.pose(state.robot.body, run.sample(state.time));
+  const said = is_there ? timeline.say(state.time) : null, part = state.time / run.end;
   find("clock").textContent = state.time.toFixed(1);
   find("time").value = state.time;
   find("time").setAttribute("aria-valuetext", seconds(state.time) + (said ? `, ${said.name} decides` : ""));
@@ -235,6 +238,16 @@ for (const name of Object.keys(options)) {
   });
 }
 view?.handle(draw, choose);
+
+// What was pressed by a pointer does not keep the keys to itself.
+let is_pointer = false;
+addEventListener("pointerdown", () => (is_pointer = true), true);
+addEventListener("keydown", () => (is_pointer = false), true);
+for (const kind of ["click", "change"]) {
+  document.addEventListener(kind, ({target}) => {
+    if (is_pointer && ["BUTTON", "SUMMARY", "SELECT"].includes(target.tagName) && (kind === "change") === (target.tagName === "SELECT")) target.blur();
+  });
+}
 
 const neighbour = (way) => {
   const all = way > 0 ? run.events : [...run.events].reverse();
