@@ -129,7 +129,7 @@ TEST_CASE("What is no recording of a run is refused in a sentence") {
     writer.close();
   }
   CHECK_THROWS_WITH(html_of(file.path),
-                    Catch::Contains("has no run of Elsie; expected a recording that `elsie run"));
+                    Catch::Contains("has no run of Elsie; expected a recording with robots that"));
   RecordedFile run(two_robots(), shipped());
   std::filesystem::resize_file(run.path, 200);
   CHECK_THROWS_WITH(html_of(run.path), Catch::Contains("breaks off before its first second"));

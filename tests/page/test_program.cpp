@@ -88,6 +88,6 @@ ELSIE_BEHAVIOR(Fails, "fails", "Fails");
   here.elsie("run fails.xml --plugin fails.cpp --record fails.mcap --quiet");
   CHECK(here.elsie("page fails.mcap").exit_code == 0);
   CHECK_THAT(here.read("fails.html"),
-             Catch::Contains("stopped after 0.3 s: plugin &apos;fails&apos; of robot") &&
+             Catch::Contains("stopped after 0.3 s: plugin 'fails' of robot") &&
                  Catch::Contains("enough is enough"));
 }
