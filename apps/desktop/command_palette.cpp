@@ -127,8 +127,11 @@ void CommandPalette::list_fitting() {
     if (listed_.size() < kMost) listed_.push_back(std::move(each));
   }
   list_->clear();
+  QPixmap blank(list_->iconSize().isValid() ? list_->iconSize() : QSize(16, 16));
+  blank.fill(Qt::transparent);  // so that titles without an icon are below the others
   for (const Offer& each : listed_) {
-    auto* item = new QListWidgetItem(each.icon, each.title, list_);
+    auto* item =
+        new QListWidgetItem(each.icon.isNull() ? QIcon(blank) : each.icon, each.title, list_);
     item->setData(kKeyRole, each.key);
   }
   if (listed_.empty()) {

@@ -72,6 +72,7 @@ ControlBar::ControlBar(Workbench& workbench, QWidget* parent)
   connect(reset_, &QToolButton::clicked, this, [this] { workbench_.reset(workbench_.seed()); });
 
   auto* speed_label = new QLabel(tr("S&peed"));
+  speed_label->setContentsMargins(0, 0, fontMetrics().averageCharWidth() / 2, 0);
   row->addWidget(speed_label);
   speed_ = new QComboBox;
   speed_->setObjectName("speed");
@@ -89,6 +90,7 @@ ControlBar::ControlBar(Workbench& workbench, QWidget* parent)
 
   row->addSpacing(fontMetrics().averageCharWidth());
   auto* seed_label = new QLabel(tr("See&d"));
+  seed_label->setContentsMargins(0, 0, fontMetrics().averageCharWidth() / 2, 0);
   row->addWidget(seed_label);
   seed_ = new QLineEdit("1");
   seed_label->setBuddy(seed_);
@@ -171,6 +173,7 @@ TimeLine::TimeLine(Workbench& workbench, QWidget* parent) : QWidget(parent), wor
     show_now();
   });
   connect(&workbench_, &Workbench::run_changed, this, [this] {
+    slider_->setEnabled(workbench_.run_state() != Workbench::Run::none);
     if (workbench_.run_state() == Workbench::Run::ready) {
       is_in_the_past_ = false;
     }

@@ -61,7 +61,7 @@ HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), text_(new Pages(this)
   setObjectName(QStringLiteral("help_window"));
   setWindowTitle(tr("Help"));
   setAttribute(Qt::WA_DeleteOnClose);
-  resize(100 * fontMetrics().averageCharWidth(), 40 * fontMetrics().height());
+  resize(128 * fontMetrics().averageCharWidth(), 46 * fontMetrics().height());
   text_->setObjectName(QStringLiteral("help_text"));
   text_->setAccessibleName(tr("Page of the documentation"));
   text_->setOpenExternalLinks(true);

@@ -180,7 +180,12 @@ void MainWindow::show_state() {
                        : time_line_->is_playing() ? tr("playing the past")
                                                   : words.value(workbench_.run_state());
   const bool is_over = !outcome_.isEmpty() && !time_line_->is_playing();
-  outcome_label_->setText(is_over ? word + ": " + outcome_ : word);
+  const QHash<QString, QString> ends{{"success", tr("success")},
+                                     {"failure", tr("failure")},
+                                     {"time_limit", tr("time is up")},
+                                     {"no_goals", tr("no goals")},
+                                     {"stopped", tr("stopped")}};
+  outcome_label_->setText(is_over ? word + ": " + ends.value(outcome_, outcome_) : word);
   const bool is_recorded = recorded_ && workbench_.is_borrowed();
   recording_label_->setVisible(is_recorded);
   if (is_recorded) {
@@ -191,7 +196,10 @@ void MainWindow::show_state() {
   }
 }
 
-void MainWindow::say(const QString& text) { statusBar()->showMessage(text, kSaid_ms); }
+void MainWindow::say(const QString& text) {
+  statusBar()->showMessage(text, kSaid_ms);
+  statusBar()->setToolTip(text);  // a narrow window cuts it off
+}
 
 void MainWindow::show_pose() {
   if (const auto place = scene_->stage().place_of(properties_->path())) {

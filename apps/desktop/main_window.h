@@ -155,6 +155,7 @@ class MainWindow : public QMainWindow {
   void open_source(const QString& file, int line);
   void take_plugins(const QStringList& used, const QStringList& kept);
   bool may_leave_sources();
+  bool bring_back_sources(const Recovered& recovered);
   void open_page(const QString& page);
   void open_page_of_selected();
   void show_past();

@@ -375,16 +375,23 @@ void MainWindow::go_to_next_dock() {
 }
 
 void MainWindow::show_keys() {
-  QStringList rows;
+  QStringList cells;
   for (const QAction* each : std::as_const(commands_)) {
     if (!each->shortcut().isEmpty()) {
-      rows << "<tr><td>" + each->shortcut().toString(QKeySequence::NativeText) +
-                  "&nbsp;&nbsp;</td><td>" + title_of(*each).toHtmlEscaped() + "</td></tr>";
+      const QString key = each->shortcut().toString(QKeySequence::NativeText);
+      cells << "<td style='white-space:pre'>" + key.toHtmlEscaped() +
+                   "  </td><td style='white-space:pre'>" + title_of(*each).toHtmlEscaped() +
+                   "    </td>";
     }
   }
-  rows.sort();
+  cells.sort();
+  QString rows;  // two columns: one is higher than a small screen
+  const qsizetype half = (cells.size() + 1) / 2;
+  for (qsizetype i = 0; i < half; ++i) {
+    rows += "<tr>" + cells[i] + cells.value(half + i) + "</tr>";
+  }
   const QString text =
-      "<table>" + rows.join("") + "</table>" +
+      "<table>" + rows + "</table>" +
       tr("<p>In the view: the left button orbits, the right one pans, the wheel zooms; a "
          "click selects, with Shift several; a right click edits. "
          "Ctrl and a button always move the camera. Dragging the selected object moves it, its "

@@ -27,6 +27,7 @@
 #include "watch/fuzzy_panel.h"
 #include "watch/graph_panel.h"
 #include "watch/plots_panel.h"
+#include "watch/reasons.h"
 #include "watch/run_card.h"
 #include "watch/sensors_panel.h"
 #include "watch/vision_panel.h"
@@ -115,8 +116,8 @@ void MainWindow::connect_workbench() {
     const QString reason = text_of(end, "reason");
     outcome_ = text_of(end, "outcome");
     outcome_label_->setToolTip(tr("%1\nstate hash %2").arg(reason, text_of(end, "state_hash")));
-    say(reason.isEmpty() ? tr("The run has ended: %1").arg(outcome_)
-                         : tr("The run has ended: %1, %2").arg(outcome_, reason));
+    const QString words = outcome_words(end);
+    say(outcome_ == "stopped" && !reason.isEmpty() ? words + ": " + reason : words + '.');
     if (outcome_ == "stopped") {
       failure_ = reason;
       show_problems();  // where it can be read whole

@@ -33,6 +33,8 @@ namespace elsie::desktop {
 namespace {
 
 const QStringList kUsualTeams{"red", "blue"};
+constexpr int kRoomy = 1200;    // px: in such a window the columns are wider
+constexpr int kBelow = 184;     // px: three behaviours, or one plot
 constexpr QSize kGrip(60, 12);  // the part of a title bar that a hand can grip
 
 /// Whether a window at that place on the screens can be dragged by its title.
@@ -102,6 +104,8 @@ void MainWindow::make_docks() {
   sources_ = new SourcesPanel;
   docks_.source = dock("source", tr("Source"), sources_, Qt::RightDockWidgetArea);
   docks_.source->hide();
+  connect(sources_, &SourcesPanel::edited, this,
+          [this] { workbench_.keep_sources(sources_->unsaved()); });
   for (QDockWidget* each : {docks_.coordination, docks_.plots, docks_.vision, docks_.fuzzy,
                             docks_.sensors, docks_.graph}) {
     // A dock behind another one also counts as "visible".
@@ -259,7 +263,7 @@ void MainWindow::arrange(const QString& layout) {
   first_ = is_watch ? docks_.vision : nullptr;
   if (!is_watch) docks_.properties->raise();
   QList<QDockWidget*> columns{docks_.world};
-  QList<int> widths{220};
+  QList<int> widths{width() < kRoomy ? 220 : 240};
   if (layout == "author" && width() >= kWide) {
     put(Qt::RightDockWidgetArea, {docks_.text});
     addDockWidget(Qt::RightDockWidgetArea, docks_.properties, Qt::Horizontal);
@@ -267,9 +271,9 @@ void MainWindow::arrange(const QString& layout) {
     widths << width() / 4;
   }
   columns << (is_watch ? docks_.vision : docks_.properties);
-  widths << (is_watch ? std::max(420, width() / 4) : 280);
+  widths << (is_watch ? std::max(420, width() / 4) : width() < kRoomy ? 280 : 300);
   resizeDocks(columns, widths, Qt::Horizontal);
-  resizeDocks({docks_.coordination}, {170}, Qt::Vertical);
+  resizeDocks({docks_.coordination}, {kBelow}, Qt::Vertical);
   show_page(is_start);
 }
 

@@ -275,18 +275,37 @@ void MainWindow::offer_recovered() {
     const int answer = box.exec();
     if (answer == QMessageBox::Yes) {
       workbench_.open_recovered(each);
-      if (workbench_.is_kept()) {
-        Recovery::discard(each);
-      }
       forget_world();
       show_page(false);
       show_title();
+      const bool has_sources = bring_back_sources(each);
+      if (workbench_.is_kept() && has_sources) {
+        Recovery::discard(each);
+      }
       return;
     }
     if (answer == QMessageBox::Discard) {
       Recovery::discard(each);
     }
   }
+}
+
+/// Opens the sources that were changed and not saved. Returns false if one is not there any more.
+bool MainWindow::bring_back_sources(const Recovered& recovered) {
+  bool has_all = true;
+  for (const Typed& each : recovered.sources) {
+    if (QFileInfo(each.path).isFile()) {
+      open_source(each.path, 0);
+      sources_->put(each);
+    } else {
+      has_all = false;
+      warn(
+          this, tr("Unsaved work"),
+          tr("The source '%1' is not there any more. Its unsaved text is in '%2', and stays there.")
+              .arg(each.path, recovered.kept_in));
+    }
+  }
+  return has_all;
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

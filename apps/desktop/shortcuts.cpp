@@ -68,7 +68,7 @@ ShortcutsDialog::ShortcutsDialog(QList<QAction*> actions, QWidget* parent)
     key->setAccessibleName(tr("Key of %1").arg(title_of(action)));
     table_->setCellWidget(row, 1, key);
   }
-  table_->setColumnWidth(1, 26 * fontMetrics().averageCharWidth());
+  table_->setColumnWidth(1, 32 * fontMetrics().averageCharWidth());
   column->addWidget(table_, 1);
   refusal_ = new WarningLabel;
   refusal_->setObjectName("refusal");
@@ -89,7 +89,7 @@ ShortcutsDialog::ShortcutsDialog(QList<QAction*> actions, QWidget* parent)
       table_->setRowHidden(row, !table_->item(row, 0)->text().contains(text, Qt::CaseInsensitive));
     }
   });
-  resize(64 * fontMetrics().averageCharWidth(), 30 * fontMetrics().height());
+  resize(90 * fontMetrics().averageCharWidth(), 40 * fontMetrics().height());
 }
 
 QKeySequence ShortcutsDialog::key_in(int row) const {

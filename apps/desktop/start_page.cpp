@@ -32,7 +32,7 @@ constexpr int kFile = Qt::UserRole;
 constexpr int kAbout = Qt::UserRole + 1;
 constexpr int kDelay_ms = 300;
 constexpr int kNarrowest_em = 36;  // of a card
-constexpr int kLines = 3;          // of the sentence on a card
+constexpr int kLines = 4;          // of the sentence on a card
 /// The examples to begin with.
 const QStringList kFirst{"four_resources", "ten_robots", "clutter", "maze",   "flock",
                          "escape",         "patrol",     "fetch",   "pushing"};
@@ -84,7 +84,7 @@ class CardDelegate : public QStyledItemDelegate {
   using QStyledItemDelegate::QStyledItemDelegate;
 
   static int height(const QFontMetrics& metrics, int width) {
-    return picture_height(width) + metrics.lineSpacing() * (kLines + 1) + 3 * metrics.height();
+    return picture_height(width) + metrics.lineSpacing() * (kLines + 1) + 5 * metrics.height() / 2;
   }
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override {
     const auto* list = qobject_cast<const QListView*>(option.widget);
@@ -103,6 +103,7 @@ class CardDelegate : public QStyledItemDelegate {
     const QPixmap picture = index.data(Qt::DecorationRole)
                                 .value<QIcon>()
                                 .pixmap(QSize(StartPage::kPicture_px, StartPage::kPicture_px));
+    if (is_dark(option.palette)) painter->setOpacity(0.8);  // paper that does not glare
     painter->setPen(Qt::NoPen);
     painter->setBrush(picture.isNull() ? option.palette.color(QPalette::AlternateBase)
                                        : QColor(0xfa, 0xfa, 0xf7));
@@ -114,6 +115,7 @@ class CardDelegate : public QStyledItemDelegate {
       place.moveCenter(QRectF(frame).center());
       painter->drawPixmap(place, picture, QRectF(picture.rect()));
     }
+    painter->setOpacity(1.0);
     QRect text(frame.left(), frame.bottom() + gap, frame.width(),
                card.bottom() - frame.bottom() - gap);
     painter->setFont(sized(option.font, 1.05, QFont::DemiBold));

@@ -108,6 +108,18 @@ TEST_CASE("All coordinators that are found are offered") {
   Window::press(dialog, QDialogButtonBox::Cancel);
 }
 
+TEST_CASE("Fields with units of any width end below each other, and not at their units") {
+  Room window;
+  window.choose("robot[r1]");
+  const QWidget* x = field(window, "x");              // m
+  const QWidget* speed = field(window, "max_speed");  // m/s
+  REQUIRE(wait_for([&] { return speed->isVisible() && speed->width() > 0; }));
+  CHECK(x->geometry().right() == speed->geometry().right());
+  for (const QLabel* unit : x->parentWidget()->findChildren<QLabel*>()) {
+    if (unit->text() == "m") CHECK(unit->geometry().left() > x->geometry().right() + 1);
+  }
+}
+
 TEST_CASE("Every field says what it means; every number, its unit if it has one") {
   Window window;
   int units = 0;

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QListWidget>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -31,6 +32,34 @@ void keep(QWidget& widget, const QString& name) {
   QTest::qWait(300);  // for animations of docks
   const QString folder = qEnvironmentVariable("ELSIE_PICTURES", ".");
   CHECK(widget.grab().save(folder + '/' + name + ".png"));
+}
+
+/// A picture of the window at rest, and one from above of the same instant.
+void keep(Window& window, const QString& name) {
+  const SceneView& scene = window->scene();
+  if (scene.isVisible() && !scene.stage().is_empty()) {
+    REQUIRE(wait_for([&] { return scene.photograph().is_finished(); }));
+    auto* exporter = window->findChild<Exporter*>();
+    bool is_drawn = false;
+    const auto connection = QObject::connect(exporter, &Exporter::picture_ended,
+                                             [&](bool is_right) { is_drawn = is_right; });
+    const QDir folder(qEnvironmentVariable("ELSIE_PICTURES", "."));
+    exporter->write_from_above(folder.filePath("above_" + name + ".png"), {.size = {1000, 0}});
+    CHECK(wait_for([&] { return is_drawn; }));
+    QObject::disconnect(connection);
+    window->statusBar()->clearMessage();
+  }
+  keep(window.window(), name);
+}
+
+/// A picture of each menu of the window, as it drops down.
+void keep_menus(Window& window) {
+  int number = 0;
+  for (const QAction* each : window->menuBar()->actions()) {
+    each->menu()->popup(window->mapToGlobal(QPoint(0, 20)));
+    keep(*each->menu(), "menu_" + QString::number(++number));
+    each->menu()->hide();
+  }
 }
 
 void resize(Window& window) {
@@ -91,19 +120,19 @@ TEST_CASE("Pictures: a world being built, and watched", "[.pictures]") {
   resize(window);
   play_until(window, 12.0);
   window.choose(window->scene().stage().bodies().front().path);
-  keep(window.window(), "author");
+  keep(window, "author");
   window->arrange("watch");
   show_dock(window.window(), "dock_fuzzy");
   window.bench().run();
   auto* fuzzy = window->findChild<FuzzyPanel*>();
   wait_for([&] { return !fuzzy->now().degrees.empty(); });
   window.bench().pause();
-  keep(window.window(), "fuzzy");
+  keep(window, "fuzzy");
   window.get<QDockWidget>("dock_sensors")->raise();
-  keep(window.window(), "sensors");
+  keep(window, "sensors");
   window->arrange("author");
   window.get<QDockWidget>("dock_text")->raise();
-  keep(window.window(), "text");
+  keep(window, "text");
 }
 
 TEST_CASE("Pictures: cameras and plots", "[.pictures]") {
@@ -114,10 +143,12 @@ TEST_CASE("Pictures: cameras and plots", "[.pictures]") {
   window.get<QDockWidget>("dock_plots")->raise();
   play_until(window, 1.0);
   for (const QString& name : plots->names()) {
-    if (name.endsWith("/speed") || name.endsWith("/energy")) plots->choose(name, true);
+    if (name.count('/') == 1 && (name.endsWith("/speed") || name.endsWith("/energy"))) {
+      plots->choose(name, true);
+    }
   }
   play_until(window, 15.0);
-  keep(window.window(), "watch");
+  keep(window, "watch");
 }
 
 TEST_CASE("Pictures: a run at greatest speed", "[.pictures]") {
@@ -126,7 +157,7 @@ TEST_CASE("Pictures: a run at greatest speed", "[.pictures]") {
   window->scene().look(OrbitCamera::kFromTop);
   window.get<QDockWidget>("dock_coordination")->raise();
   window.run_to_the_end();
-  keep(window.window(), "fast_coordination");
+  keep(window, "fast_coordination");
   window.get<QDockWidget>("dock_plots")->raise();
   auto* plots = window->findChild<PlotsPanel*>();
   const QString robot = robot_id(window->scene().stage().bodies().front().path);
@@ -134,7 +165,7 @@ TEST_CASE("Pictures: a run at greatest speed", "[.pictures]") {
   plots->choose(robot + "/speed", true);
   plots->choose(robot + "/asked/turn", true);
   REQUIRE(wait_for([&] { return !plots->sampling().startsWith("0 "); }));
-  keep(window.window(), "fast_plots");
+  keep(window, "fast_plots");
   plots->choose(robot + "/speed", false);
   plots->choose(robot + "/asked/turn", false);
 }
@@ -156,7 +187,7 @@ TEST_CASE("Pictures: obstacles of all forms", "[.pictures]") {
   Window window(world_file("shapes"));
   resize(window);
   window.choose("obstacle[hexagon]");
-  keep(window.window(), "shapes");
+  keep(window, "shapes");
   keep_dialog(window, "add_prism", "dialog_prism");
 }
 
@@ -165,17 +196,18 @@ TEST_CASE("Pictures: errors, teams, keys and the new world", "[.pictures]") {
   resize(window);
   window.after([&] { window.act("new"); });
   resize(window);
-  keep(window.window(), "new_world");
+  keep(window, "new_world");
   keep_dialog(window, "shortcuts", "dialog_keys");
   window.open(
       window.file("<world format=\"1\">\n  <robots>\n    <robot id=\"a\" speed=\"1\"/>\n"
                   "    <robot id=\"b\" x=\"left\"/>\n  </robots>\n</world>\n"));
   resize(window);
   window.get<QDockWidget>("dock_problems")->raise();
-  keep(window.window(), "errors");
+  keep(window, "errors");
   window.open(world_file("ten_robots"));
+  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
   window.get<QDockWidget>("dock_team_red")->raise();
-  keep(window.window(), "team");
+  keep(window, "team");
 }
 
 TEST_CASE("Pictures: behaviours in use, and the past", "[.pictures]") {
@@ -183,11 +215,11 @@ TEST_CASE("Pictures: behaviours in use, and the past", "[.pictures]") {
   resize(window);
   window.get<QDockWidget>("dock_coordination")->raise();
   play_until(window, 10.0);
-  keep(window.window(), "behaviours");
+  keep(window, "behaviours");
   window.get<QWidget>("time")->setFocus();
   press_key(&window.window(), Qt::Key_Left, Qt::ShiftModifier);
   REQUIRE(wait_for([&] { return window->scene().stage().is_past(); }));
-  keep(window.window(), "past");
+  keep(window, "past");
 }
 
 TEST_CASE("Pictures: when a plugin ends the engine, and after a crash", "[.pictures]") {
@@ -205,12 +237,34 @@ TEST_CASE("Pictures: when a plugin ends the engine, and after a crash", "[.pictu
   });
   window->offer_recovered();
   REQUIRE(wait_for([&] { return window.bench().is_right(); }));
-  keep(window.window(), "recovered_window");
+  keep(window, "recovered_window");
 }
 
-TEST_CASE("Pictures: keys, commands and About", "[.pictures]") {
+TEST_CASE("Pictures: an automaton, messages, and a run that goes on", "[.pictures]") {
+  Window window(world_file("guard"));
+  resize(window);
+  window.choose(window->scene().stage().bodies().front().path);
+  show_dock(window.window(), "dock_graph");
+  play_until(window, 6.0);
+  keep(window, "graph");
+  window.open(world_file("flock"));
+  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  resize(window);
+  window.choose(window->scene().stage().bodies().front().path);
+  show_dock(window.window(), "dock_sensors");
+  play_until(window, 3.0);
+  keep(window, "messages");
+  window.bench().set_speed(1.0);
+  window.bench().run();
+  REQUIRE(wait_for([&] { return window.bench().time_s() > 4.0; }));
+  keep(window.window(), "running");
+  window.bench().pause();
+}
+
+TEST_CASE("Pictures: menus, keys, commands and About", "[.pictures]") {
   Window window(world_file("clutter"));
   resize(window);
+  keep_menus(window);
   for (const auto& [action, name] :
        {std::pair{"keys", "box_keys"}, {"about", "box_about"}, {"commands", "box_commands"}}) {
     keep_modal(name, [](QDialog* dialog) { dialog->reject(); });
@@ -243,7 +297,7 @@ TEST_CASE("Pictures: questions about unsaved work and files", "[.pictures]") {
   window.act("save");
   REQUIRE(QFile::remove(file));
   REQUIRE(wait_for([&] { return window.bench().is_gone_from_disk(); }));
-  keep(window.window(), "gone_from_disk");
+  keep(window, "gone_from_disk");
 }
 
 TEST_CASE("Pictures: a weight that is learned, a control surface, and figures as a table",
@@ -257,7 +311,7 @@ TEST_CASE("Pictures: a weight that is learned, a control surface, and figures as
   });
   window.choose(behavior);
   play_until(window, 2.0);
-  keep(window.window(), "live_weight");
+  keep(window, "live_weight");
 
   window.open(world_file("clutter"));
   FuzzyPanel* const fuzzy = inferring(window);
@@ -266,7 +320,7 @@ TEST_CASE("Pictures: a weight that is learned, a control surface, and figures as
     bar->setValue(bar->maximum());
     return bar->value() > 0;
   }));
-  keep(window.window(), "control_surface");
+  keep(window, "control_surface");
   show_figures(window.get<QWidget>("fuzzy_page"));
   keep(*window.dialog("figures_dialog"), "as_a_table");
 }
@@ -308,7 +362,7 @@ TEST_CASE("Pictures: a recording, a network that has learned, a list and a lock"
   REQUIRE(wait_for([&] { return !line->events().empty(); }));
   line->go_to(12.0);
   REQUIRE(wait_for([&] { return window.bench().time_s() > 11.9; }));
-  keep(window.window(), "recording");
+  keep(window, "recording");
 
   window.open(world_file("learned_priorities"));
   REQUIRE(wait_for([&] { return window.bench().is_right(); }));
@@ -318,7 +372,7 @@ TEST_CASE("Pictures: a recording, a network that has learned, a list and a lock"
   window.get<WorldTree>("world_tree")
       ->tree()
       ->setCurrentItem(window.get<WorldTree>("world_tree")->item(robot)->parent());
-  keep(window.window(), "list_and_lock");
+  keep(window, "list_and_lock");
 }
 
 TEST_CASE("Pictures: the end of a run, a robot that is stuck, and a behaviour that is written",
@@ -328,7 +382,7 @@ TEST_CASE("Pictures: the end of a run, a robot that is stuck, and a behaviour th
   window.after([&] { window.act("new"); });
   window.run_to_the_end();
   window->scene().show_all();
-  keep(window.window(), "run_card_success");
+  keep(window, "run_card_success");
   window.open(window.file(R"(<world format="1">
   <arena length="5" width="5"/>
   <obstacles><static_box id="block" x="0.4"/></obstacles>
@@ -346,9 +400,9 @@ TEST_CASE("Pictures: the end of a run, a robot that is stuck, and a behaviour th
 )"));
   resize(window);
   run_until(window, 25.0);
-  keep(window.window(), "stuck_notice");
+  keep(window, "stuck_notice");
   window.run_to_the_end();
-  keep(window.window(), "run_card_failure");
+  keep(window, "run_card_failure");
   window.choose("robot[r1]");
   window.act("write_behavior");
   auto* dialog = window.dialog("new_behavior_dialog");
@@ -357,7 +411,7 @@ TEST_CASE("Pictures: the end of a run, a robot that is stuck, and a behaviour th
   keep(*dialog, "dialog_new_behavior");
   window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
   REQUIRE(wait_for([&] { return window.bench().text().contains("<steady/>"); }));
-  keep(window.window(), "source");
+  keep(window, "source");
   window.step();  // so that there is something to film
   for (const char* action : {"export_film", "export_picture"}) {
     keep_modal(QString("dialog_") + action, [](QDialog* modal) { modal->reject(); });

@@ -1,5 +1,6 @@
 // What can be read on small screens, at 200 %, on dark windows and in other languages. These run in
 // all of them: see CMakeLists.txt.
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -12,6 +13,7 @@
 #include "messages.h"
 #include "paint/axes.h"
 #include "paint/warning_label.h"
+#include "watch/run_card.h"
 #include "world/form.h"
 #include "world/properties.h"
 
@@ -34,16 +36,20 @@ double contrast(const QColor& a, const QColor& b) {
   return (std::max(first, second) + 0.05) / (std::min(first, second) + 0.05);
 }
 
-/// Labels and buttons whose text has less room than it needs.
+/// Labels and buttons whose text has less room than it needs: they are cut off, or behind others.
 QStringList cut_off(const QWidget& whole) {
   QStringList texts;
   for (const QWidget* each : whole.findChildren<QWidget*>()) {
     const auto* label = qobject_cast<const QLabel*>(each);
     const auto* button = qobject_cast<const QAbstractButton*>(each);
-    if (!each->isVisible() || (!label && !button) || (label && label->wordWrap())) {
+    if (!each->isVisible() || (!label && !button)) {
       continue;
     }
     const QString text = label ? label->text() : button->text();
+    if (label && label->wordWrap()) {
+      if (each->height() < each->heightForWidth(each->width())) texts << text;
+      continue;
+    }
     const int needed = each->fontMetrics().size(Qt::TextShowMnemonic, text).width();
     if (!text.isEmpty() && each->width() + 1 < needed) {
       texts << text;
@@ -88,6 +94,59 @@ TEST_CASE("Readable: the window fits on a small screen, and no word of a dialog 
     dialog->reject();
     REQUIRE(wait_for([&] { return window->findChildren<QDialog*>().isEmpty(); }));
   }
+}
+
+TEST_CASE("Readable: no word of a card over the view is cut off", "[readable]") {
+  Room window(QString(kRoom).replace("\"60\"", "\"1\""));
+  window->resize(kScreen);
+  auto* notice = window.get<StuckNotice>("stuck_notice");
+  const auto stuck = [](const char* why) {
+    return Json{{"time_s", 12.0},
+                {"stuck",
+                 {{{"robot", "r1"},
+                   {"why", why},
+                   {"since_s", 1.0},
+                   {"behaviors", {"avoid_obstacle", "find_resource"}}}}}};
+  };
+  notice->take(stuck("empty"));
+  notice->take(stuck("cancel"));
+  QApplication::processEvents();  // the layout
+  CHECK(cut_off(*notice).join(" | ").toStdString().empty());
+  window.run_to_the_end();
+  auto* card = window.get<RunCard>("run_card");
+  REQUIRE(wait_for([&] { return card->isVisible(); }));
+  QApplication::processEvents();
+  CHECK(cut_off(*card).join(" | ").toStdString().empty());
+}
+
+TEST_CASE("Readable: the list of keys fits on a small screen", "[readable]") {
+  Room window;
+  QSize size;
+  auto* waiting = new QTimer(qApp);
+  QObject::connect(waiting, &QTimer::timeout, waiting, [&] {
+    if (auto* box = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
+      waiting->deleteLater();
+      size = box->size();
+      box->reject();
+    }
+  });
+  waiting->start(20);
+  window.act("keys");
+  CHECK(size.height() <= kScreen.height() - 40);  // the frame
+}
+
+TEST_CASE("Readable: a box that is not checked is seen", "[readable]") {
+  QCheckBox box;
+  box.resize(box.sizeHint());
+  const QImage picture = box.grab().toImage();
+  double most = 0.0;
+  for (int x = 0; x < picture.width(); ++x) {
+    for (int y = 0; y < picture.height(); ++y) {
+      most =
+          std::max(most, contrast(picture.pixelColor(x, y), box.palette().color(QPalette::Window)));
+    }
+  }
+  CHECK(most >= 3.0);
 }
 
 TEST_CASE("Readable: words, warnings and curves stand out from what is behind them", "[readable]") {

@@ -1,4 +1,5 @@
 // Unsaved work outlives its window.
+#include <QPlainTextEdit>
 #include <QProcess>
 #include <csignal>
 #include <fstream>
@@ -8,6 +9,7 @@
 #include "disk.h"
 #include "engine/recovery.h"
 #include "hands.h"
+#include "text/sources_panel.h"
 
 using namespace elsie::desktop;
 
@@ -143,6 +145,108 @@ TEST_CASE("A window in which a value was typed, and not entered, is killed", "[.
   window.choose("robot[r1]");
   type_over(field(window, "x"), "0.25");
   ::raise(SIGKILL);
+}
+
+// Likewise.
+TEST_CASE("A window is killed in whose dialog of a sensor something was typed", "[.making]") {
+  Window window;
+  window.open(qEnvironmentVariable("ELSIE_TEST_HOME") + "/room.xml");
+  window.choose("robot[r1]");
+  QDialog* dialog = window.dialog_of("add_sensor");
+  type_over(dialog->findChild<QLineEdit*>("id"), "looks_left");
+  type_over(dialog->findChild<QLineEdit*>("yaw_deg"), "45");
+  ::raise(SIGKILL);
+}
+
+// Likewise.
+TEST_CASE("A window is killed in whose dialog of a robot something was typed", "[.editing]") {
+  Window window;
+  window.open(qEnvironmentVariable("ELSIE_TEST_HOME") + "/room.xml");
+  window.choose("robot[r1]");
+  window.act("edit");
+  QDialog* dialog = window.dialog("element_dialog");
+  type_over(dialog->findChild<QLineEdit*>("max_speed"), "0.25");
+  type_over(dialog->findChild<QLineEdit*>("coverage"), "0.75");
+  ::raise(SIGKILL);
+}
+
+// Likewise.
+TEST_CASE("A window is killed in which a source was changed", "[.writing]") {
+  Window window;
+  const QString home = qEnvironmentVariable("ELSIE_TEST_HOME");
+  window.open(home + "/room.xml");
+  REQUIRE(window->findChild<SourcesPanel*>()->open(home + "/veer.cpp").isEmpty());
+  type_text(window.get<QWidget>("source_text"), "// more ");
+  ::raise(SIGKILL);
+}
+
+TEST_CASE("What was typed in an open dialog survives: it is entered, and undo takes it back") {
+  const QString home = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
+  std::ofstream((home + "/room.xml").toStdString()) << kRoom;
+  QStringList expected;
+  SECTION("of a new element") {
+    run_until_killed("[.making]", home);
+    expected << "<beam_range id=\"looks_left\" yaw_deg=\"45\"/>";
+  }
+  SECTION("of one that is edited") {
+    run_until_killed("[.editing]", home);
+    expected << "max_speed=\"0.25\""
+             << "coverage=\"0.75\"";
+  }
+  Window window;
+  at_dialog("recovered", press_yes);
+  window->offer_recovered();
+  for (const QString& each : expected) {
+    INFO(each.toStdString());
+    CHECK(wait_for([&] { return window.bench().text().contains(each); }));
+  }
+  for (qsizetype i = 0; i < expected.size(); ++i) window.after([&] { window.act("undo"); });
+  CHECK(window.bench().text() == kRoom);
+}
+
+TEST_CASE("What a dialog has kept goes with it") {
+  const auto left = [] { return kept_work().entryList({"*.json"}, QDir::Files).size(); };
+  Room window;
+  const auto before = left();
+  window.choose("robot[r1]");
+  QDialog* dialog = window.dialog_of("add_sensor");
+  CHECK(left() == before);
+  type_over(dialog->findChild<QLineEdit*>("id"), "looks_left");
+  CHECK(left() == before + 1);
+  Window::press(dialog, QDialogButtonBox::Cancel);
+  CHECK(left() == before);
+}
+
+TEST_CASE("The text of a source that was not saved survives; a source that is gone is said") {
+  const QString home = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
+  std::ofstream((home + "/room.xml").toStdString()) << kRoom;
+  const QString source = home + "/veer.cpp";
+  std::ofstream(source.toStdString()) << "// veer\n";
+  run_until_killed("[.writing]", home);
+  const QByteArray before = bytes_of(source);
+  const auto left = [] { return kept_work().entryList({"*.json"}, QDir::Files).size(); };
+  SECTION("it is open, and not saved") {
+    Window window;
+    at_dialog("recovered", press_yes);
+    window->offer_recovered();
+    auto* text = window.get<QPlainTextEdit>("source_text");
+    CHECK(text->toPlainText() == "// more // veer\n");
+    CHECK(text->document()->isModified());
+    CHECK(bytes_of(source) == before);
+    CHECK(left() == 1);
+  }
+  SECTION("its file is gone") {
+    REQUIRE(QFile::remove(source));
+    Window window;
+    at_dialog("recovered", press_yes);
+    window->offer_recovered();
+    QString said;
+    for (auto* box : window->findChildren<QMessageBox*>()) said += box->text();
+    CHECK(said.contains("veer.cpp"));
+  }
+  for (const QString& each : kept_work().entryList({"*.json"}, QDir::Files)) {
+    QFile::remove(kept_work().filePath(each));
+  }
 }
 
 TEST_CASE("A value that was typed and not entered survives, too") {

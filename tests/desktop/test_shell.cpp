@@ -3,6 +3,8 @@
 #include <QDockWidget>
 #include <QListWidget>
 #include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QToolBar>
 
@@ -17,6 +19,8 @@
 #include "text/code_editor.h"
 #include "text/problems_panel.h"
 #include "text/sources_panel.h"
+#include "watch/coordination_panel.h"
+#include "watch/plots_panel.h"
 #include "world/words.h"
 
 using namespace elsie::desktop;
@@ -172,12 +176,35 @@ TEST_CASE("A tree has one column: the name, and the kind in grey; what is given 
   CHECK(tree->item("robot[r1]")->toolTip(0).contains("x=-1"));
 }
 
+TEST_CASE("Three behaviours and a plot have room below the view") {
+  Room window(QString(kRoom).replace("<wander/>",
+                                     "<wander/><avoid_obstacle/><go_to_point x=\"1\" y=\"0\"/>"));
+  window->resize(1280, 800);
+  window->arrange("author");
+  run_until(window, 0.5);
+  const auto* coordination = window.get<QAbstractScrollArea>("coordination");
+  REQUIRE(wait_for([&] { return window->findChild<CoordinationPanel*>()->rows() == 3; }));
+  CHECK(coordination->verticalScrollBar()->maximum() == 0);
+  show_dock(window.window(), "dock_plots");
+  auto* plots = window->findChild<PlotsPanel*>();
+  REQUIRE(wait_for([&] { return plots->names().contains("r1/speed"); }));
+  plots->choose("r1/speed", true);
+  const auto* area = plots->findChild<QScrollArea*>();
+  REQUIRE(wait_for([&] { return area->isVisible() && area->height() > 50; }));
+  CHECK(area->verticalScrollBar()->maximum() == 0);
+  plots->choose("r1/speed", false);
+}
+
 TEST_CASE("Names of world files are labels in words, without the unit that they end in") {
   CHECK(in_words("max_speed") == "Max speed");
   CHECK(in_words("keep_distance_m", "m") == "Keep distance");
   CHECK(in_words("turn_rad_s", "rad/s") == "Turn");
   CHECK(in_words("x", "m") == "x");
+  CHECK(in_words("behaviors") == "Behaviours");  // as in all other words of the window
+  CHECK(in_words("erp") == "ERP");
   CHECK(unit_in_words("deg") == QString("\u00b0"));
+  CHECK(unit_in_words("rad/s/deg") == QString("rad/s/\u00b0"));
+  CHECK(unit_in_words("m/s2") == QString("m/s\u00b2"));
 }
 
 TEST_CASE("A compiler's lines are below its error, in a fixed font, and lead to the file") {

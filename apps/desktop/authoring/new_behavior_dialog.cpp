@@ -31,7 +31,7 @@ NewBehaviorDialog::NewBehaviorDialog(const QString& elsie, const QStringList& op
   name_ = new QLineEdit;
   name_->setObjectName(QStringLiteral("behavior_name"));
   name_->setPlaceholderText(QStringLiteral("follow_wall"));
-  name_->setMinimumWidth(40 * fontMetrics().averageCharWidth());
+  name_->setMinimumWidth(64 * fontMetrics().averageCharWidth());
   form->addRow(tr("&Name"), name_);
   language_ = new QComboBox;
   language_->setObjectName(QStringLiteral("behavior_language"));

@@ -61,14 +61,16 @@ Recovery::~Recovery() {
 }
 
 bool Recovery::keep(const QString& file, const QString& text, bool is_borrowed,
-                    const std::vector<Typed>& typed) {
+                    const std::vector<Typed>& typed, const std::vector<Typed>& sources) {
   folder().mkpath(".");
   if (lock_ < 0) {
     lock_ = locked(kept_in_, O_CREAT);
   }
   Json json{{"file", file.toStdString()}, {"text", text.toStdString()}, {"borrowed", is_borrowed}};
-  for (const Typed& each : typed) {
-    json["typed"].push_back({{"path", each.path.toStdString()}, {"text", each.text.toStdString()}});
+  for (const auto& [name, all] : {std::pair{"typed", &typed}, {"sources", &sources}}) {
+    for (const Typed& each : *all) {
+      json[name].push_back({{"path", each.path.toStdString()}, {"text", each.text.toStdString()}});
+    }
   }
   return files::write_whole(kept_in_.toStdString(), json.dump()) == 0;
 }
@@ -87,8 +89,11 @@ std::vector<Recovered> Recovery::left_behind() {
     const Json json = Json::parse(file.readAll().toStdString(), nullptr, false);
     all.push_back({text_of(json, "file"), text_of(json, "text"), path,
                    member(json, "borrowed") == true, !member(json, "text").is_string()});
-    for (const Json& each : member(json, "typed")) {
-      all.back().typed.push_back({text_of(each, "path"), text_of(each, "text")});
+    for (const auto& [what, list] :
+         {std::pair{"typed", &all.back().typed}, {"sources", &all.back().sources}}) {
+      for (const Json& each : member(json, what)) {
+        list->push_back({text_of(each, "path"), text_of(each, "text")});
+      }
     }
   }
   return all;

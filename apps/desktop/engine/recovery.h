@@ -6,9 +6,9 @@
 
 namespace elsie::desktop {
 
-/// A value that was typed for an attribute and not entered.
+/// What was typed and not entered: a value, an element in a dialog, or the text of a source.
 struct Typed {
-  QString path;  // of the attribute: "robot[r1]/@x"
+  QString path;  // of the attribute, "robot[r1]/@x", of the element, "sensor[+]", or of the file
   QString text;
 
   friend bool operator==(const Typed&, const Typed&) = default;
@@ -22,6 +22,7 @@ struct Recovered {
   bool is_borrowed = false;  // the file belongs to a recording; the world is then saved elsewhere
   bool is_damaged = false;   // there is then neither file nor text
   std::vector<Typed> typed = {};
+  std::vector<Typed> sources = {};
 };
 
 /// Keeps the unsaved text of one window in a file of its own, below the user's data folder. A lock
@@ -37,7 +38,7 @@ class Recovery {
 
   /// Stores the text. Returns false if the disk is full or the folder cannot be written.
   bool keep(const QString& file, const QString& text, bool is_borrowed,
-            const std::vector<Typed>& typed = {});
+            const std::vector<Typed>& typed = {}, const std::vector<Typed>& sources = {});
   /// Deletes the file, because everything is saved or discarded.
   void forget();
 

@@ -10,6 +10,7 @@
 #include <QPointer>
 #include <QTimer>
 #include <deque>
+#include <map>
 #include <vector>
 
 #include "engine/catalog.h"
@@ -82,8 +83,10 @@ class Workbench : public QObject {
   bool has_mistakes() const { return tree_.is_object() && text_ != history_text_; }
   /// Whether all unsaved work is in the recovery file.
   bool is_kept() const { return is_kept_; }
-  /// Keeps what is typed in a form and not entered yet, with unsaved work.
-  void keep_typed(std::vector<Typed> typed);
+  /// Keeps what is typed in a form or dialog, `by`, and not entered yet, with unsaved work.
+  void keep_typed(const QObject* by, std::vector<Typed> typed);
+  /// Keeps the texts of sources that are changed and not saved.
+  void keep_sources(std::vector<Typed> sources);
   /// Opens the work of a window that was not closed properly, and enters what was typed in it.
   void open_recovered(const Recovered& recovered);
   /// The user discards unsaved work.
@@ -248,7 +251,8 @@ class Workbench : public QObject {
   bool is_stopping_ = false;  // by the user
   bool is_stepping_ = false;  // a step is ordered and not made
   Recovery recovery_;
-  std::vector<Typed> typed_;
+  std::map<const QObject*, std::vector<Typed>> typed_;
+  std::vector<Typed> sources_;
   bool is_kept_ = true;
   std::unique_ptr<QFileSystemWatcher> on_disk_watcher_;
 };

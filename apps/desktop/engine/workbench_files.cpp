@@ -269,18 +269,24 @@ bool Workbench::is_modified() const {
                                            [](const Change& each) { return each.is_edit; });
 }
 
-void Workbench::keep_typed(std::vector<Typed> typed) {
-  if (typed != std::exchange(typed_, typed)) keep();
+void Workbench::keep_typed(const QObject* by, std::vector<Typed> typed) {
+  const bool is_new = typed_[by] != typed;
+  typed.empty() ? void(typed_.erase(by)) : void(typed_[by] = std::move(typed));
+  if (is_new) keep();
+}
+
+void Workbench::keep_sources(std::vector<Typed> sources) {
+  if (sources != std::exchange(sources_, sources)) keep();
 }
 
 void Workbench::open_recovered(const Recovered& recovered) {
   open_text(recovered.text, recovered.file, false, recovered.is_borrowed);
-  keep_typed(recovered.typed);
+  keep_typed(this, recovered.typed);
   for (const Typed& each : recovered.typed) {
     edit(
         {each.path + '=' + each.text}, tr("enter what was typed"), {}, this,
         [this, each](const Problems& problems) {
-          keep_typed({});
+          keep_typed(this, {});
           if (!problems.empty()) {
             Q_EMIT noted(tr("'%1' was typed for %2 and is not entered: %3")
                              .arg(each.text, each.path.section('@', -1), problems.front().message));
@@ -290,13 +296,15 @@ void Workbench::open_recovered(const Recovered& recovered) {
 }
 
 void Workbench::keep() {
-  if (!has_unsaved_text() && typed_.empty()) {
+  if (!has_unsaved_text() && typed_.empty() && sources_.empty()) {
     recovery_.forget();
     is_kept_ = true;
     return;
   }
   const bool was_kept = is_kept_;
-  is_kept_ = recovery_.keep(file_, text_, is_borrowed_, typed_);
+  std::vector<Typed> typed;
+  for (const auto& [by, all] : typed_) typed.insert(typed.end(), all.begin(), all.end());
+  is_kept_ = recovery_.keep(file_, text_, is_borrowed_, typed, sources_);
   if (was_kept && !is_kept_) {
     Q_EMIT noted(
         tr("Unsaved work cannot be kept for the case of a crash: your data folder is full or "

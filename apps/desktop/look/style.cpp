@@ -7,6 +7,7 @@
 #include <QStyleOption>
 #include <algorithm>
 
+#include "look/icons.h"
 #include "look/theme.h"
 
 namespace elsie::desktop {
@@ -98,6 +99,42 @@ void draw_dock_title(QPainter* painter, const QStyleOptionDockWidget& title, con
   painter->restore();
 }
 
+/// A check box or the circle of a choice: a rim that is seen on dark windows, too, and a mark.
+void draw_mark(QPainter* painter, const QStyleOption& option, bool is_round) {
+  const QPalette& palette = option.palette;
+  const bool is_on = option.state & QStyle::State_Enabled;
+  const bool is_marked = option.state & (QStyle::State_On | QStyle::State_NoChange);
+  const double side = std::min(option.rect.width(), option.rect.height()) - 1.0;
+  QRectF box(0.0, 0.0, side, side);
+  box.moveCenter(QRectF(option.rect).center());
+  const QColor ink = palette.color(is_on ? QPalette::Active : QPalette::Disabled, QPalette::Text);
+  const QColor accent = palette.color(QPalette::Highlight);
+  painter->save();
+  painter->setRenderHint(QPainter::Antialiasing);
+  painter->setPen(option.state & QStyle::State_HasFocus || is_marked
+                      ? accent
+                      : mixed(palette.color(QPalette::Base), ink, 0.55));
+  painter->setBrush(is_marked ? accent : palette.color(QPalette::Base));
+  const double round = is_round ? 0.5 * side : 0.2 * side;
+  painter->drawRoundedRect(box, round, round);
+  const auto at = [&](double x, double y) {
+    return QPointF(box.left() + x * side, box.top() + y * side);
+  };
+  const QColor sign = palette.color(QPalette::HighlightedText);
+  if (is_marked && is_round) {
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(sign);
+    painter->drawEllipse(box.center(), 0.22 * side, 0.22 * side);
+  } else if (is_marked) {
+    painter->setPen(QPen(sign, std::max(1.5, 0.14 * side), Qt::SolidLine, Qt::RoundCap));
+    painter->setBrush(Qt::NoBrush);
+    const bool is_part = option.state & QStyle::State_NoChange;
+    painter->drawPolyline(is_part ? QPolygonF{at(0.25, 0.5), at(0.75, 0.5)}
+                                  : QPolygonF{at(0.22, 0.52), at(0.42, 0.72), at(0.78, 0.28)});
+  }
+  painter->restore();
+}
+
 }  // namespace
 
 Style::Style() : QProxyStyle(QStyleFactory::create("Fusion")) {}
@@ -136,6 +173,14 @@ void Style::drawPrimitive(PrimitiveElement element, const QStyleOption* option, 
       if (element == PE_FrameMenu || element == PE_Frame) painter->setBrush(Qt::NoBrush);
       painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
       painter->restore();
+      return;
+    case PE_IndicatorCheckBox:
+    case PE_IndicatorRadioButton:
+      draw_mark(painter, *option, element == PE_IndicatorRadioButton);
+      return;
+    case PE_IndicatorTabClose:
+      draw_button(painter, *option, false, false);
+      icon("close").paint(painter, option->rect);
       return;
     case PE_IndicatorToolBarSeparator: {
       const QRect& rect = option->rect;
@@ -289,6 +334,27 @@ int Style::pixelMetric(PixelMetric metric, const QStyleOption* option,
       return 0;
     default:
       return QProxyStyle::pixelMetric(metric, option, widget);
+  }
+}
+
+QIcon Style::standardIcon(StandardPixmap which, const QStyleOption* option,
+                          const QWidget* widget) const {
+  switch (which) {
+    case SP_MessageBoxInformation:
+      return icon("information");
+    case SP_MessageBoxWarning:
+      return icon("warning");
+    case SP_MessageBoxCritical:
+      return icon("error");
+    case SP_MessageBoxQuestion:
+      return icon("question");
+    case SP_TitleBarCloseButton:
+    case SP_DockWidgetCloseButton:
+      return icon("close");
+    case SP_TitleBarNormalButton:
+      return icon("float");
+    default:
+      return QProxyStyle::standardIcon(which, option, widget);
   }
 }
 

@@ -95,8 +95,8 @@ void show_figures(QWidget* widget) {
   auto* column = new QVBoxLayout(dialog);
   column->addWidget(table);
   column->addWidget(buttons);
-  dialog->resize(60 * widget->fontMetrics().averageCharWidth() + 80,
-                 20 * widget->fontMetrics().height());
+  dialog->resize(100 * widget->fontMetrics().averageCharWidth(),
+                 26 * widget->fontMetrics().height());
   dialog->show();
 }
 

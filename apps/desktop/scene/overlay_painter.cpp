@@ -60,7 +60,7 @@ void OverlayPainter::strokes(const std::vector<render::Stroke>& strokes) const {
   }
 }
 
-void OverlayPainter::scale() const {
+void OverlayPainter::scale(const QRectF& taken) const {
   const double x = 0.5 * stage_.length(), y = 0.5 * stage_.width();
   const double step = grid_step(stage_, camera_);
   const double aside = 0.1 + 0.02 * std::max(x, y);  // beyond a wall
@@ -71,20 +71,23 @@ void OverlayPainter::scale() const {
   QFont small = before;
   small.setPointSizeF(0.85 * small.pointSizeF());
   painter_.setFont(small);
+  painter_.setPen(scale_ink_);
   const auto along = [&](double reach, const auto& place, const Vector3& away, const char* axis) {
     const picture::Ticks ticks = picture::multiples(-reach, reach, step);
-    double free_from = -1e9;  // px, along the numbers
-    QPointF last(-1e6, -1e6);
-    // The first of one axis is where that of the other is.
-    for (std::size_t i = *axis == 'y'; i < ticks.at.size() && ticks.at.size() < 200; ++i) {
-      const auto at = camera_.project(place(ticks.at[i]), size_);
-      if (!at) continue;
-      const double way = QLineF(last, *at).length();
-      if (way < free_from) continue;
+    if (ticks.at.empty() || ticks.at.size() >= 200) return;
+    // The last one, which names the axis, is there in any case. The first of one axis is where that
+    // of the other is.
+    QRectF last;
+    for (std::size_t i = ticks.at.size(); i-- > (*axis == 'y' ? 1U : 0U);) {
       QString text = QString::fromStdString(picture::tick_label(ticks.at[i], step));
       if (i + 1 == ticks.at.size()) text = axis + QString(" = ") + text + " m";
-      free_from = 12.0 + number(place(ticks.at[i]), away, text);
-      last = *at;
+      const QRectF box = box_of_number(place(ticks.at[i]), away, text);
+      if (box.isEmpty() || box.adjusted(-6.0, 0.0, 6.0, 0.0).intersects(last) ||
+          box.intersects(taken)) {
+        continue;
+      }
+      painter_.drawText(box, Qt::AlignCenter, text);
+      last = box;
     }
   };
   along(
@@ -102,13 +105,13 @@ void OverlayPainter::scale() const {
   painter_.setFont(before);
 }
 
-/// Returns how wide it is, px; 0 if it is not in the picture.
-double OverlayPainter::number(const Vector3& at, const Vector3& away, const QString& text) const {
+QRectF OverlayPainter::box_of_number(const Vector3& at, const Vector3& away,
+                                     const QString& text) const {
   const Vector3 top{0.0, 0.0, stage_.height()};
   auto begin = camera_.project(at, size_);
   const auto end = camera_.project(at + 0.1 * away, size_),
              above = camera_.project(at + top, size_);
-  if (!begin || !end || !above || !QRectF(QPointF(), QSizeF(size_)).contains(*begin)) return 0.0;
+  if (!begin || !end || !above || !QRectF(QPointF(), QSizeF(size_)).contains(*begin)) return {};
   const QFontMetricsF metrics(painter_.font());
   const double wide = metrics.horizontalAdvance(text), high = metrics.height();
   QPointF way = *end - *begin;
@@ -117,10 +120,7 @@ double OverlayPainter::number(const Vector3& at, const Vector3& away, const QStr
   *begin += std::max(0.0, QPointF::dotProduct(*above - *begin, way)) * way;
   // The box touches the edge with the side that is nearest to it.
   const QPointF middle = *begin + QPointF(0.5 * wide * way.x(), 0.5 * high * way.y());
-  painter_.setPen(scale_ink_);
-  painter_.drawText(QRectF(middle - QPointF(0.5 * wide, 0.5 * high), QSizeF(wide + 1.0, high)),
-                    Qt::AlignCenter, text);
-  return wide;
+  return {middle - QPointF(0.5 * wide, 0.5 * high), QSizeF(wide + 1.0, high)};
 }
 
 void OverlayPainter::sketches() const {

@@ -24,7 +24,8 @@ class OverlayPainter {
   /// Draws lines in place of a renderer.
   void strokes(const std::vector<render::Stroke>& strokes) const;
   /// Draws the numbers of the grid along two edges of the arena, and the letters of its axes.
-  void scale() const;
+  /// None of them lies in `taken`.
+  void scale(const QRectF& taken) const;
   /// Draws what plugins draw, in a style for each role, but for lines.
   void sketches() const;
   /// Draws a ring around each robot that is too small to be seen.
@@ -38,7 +39,8 @@ class OverlayPainter {
   void note(const Label& label) const;
   void arrow_head(const Vector3& from, const Vector3& to) const;
   void point(const Vector3& at, SketchRole role) const;
-  double number(const Vector3& at, const Vector3& away, const QString& text) const;
+  /// Where the number is, beyond that edge of the arena; empty if it is not in the picture.
+  QRectF box_of_number(const Vector3& at, const Vector3& away, const QString& text) const;
 
   QPainter& painter_;
   const Stage& stage_;

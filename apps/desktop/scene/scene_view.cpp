@@ -341,7 +341,11 @@ void SceneView::paint(QPainter& painter, bool with_handles) {
     if (!trails.isNull()) painter.drawImage(QPoint(0, 0), trails);
     if (overlays_.sketches) over.strokes(sketch_lines(stage_));
   }
-  if (overlays_.grid && !camera_.seat) over.scale();
+  const QString note = with_handles ? note_text() : QString();
+  const QPointF note_at(8.0, height() - QFontMetricsF(font()).height());
+  if (overlays_.grid && !camera_.seat) {
+    over.scale(note.isEmpty() ? QRectF() : label_box(QFontMetricsF(font()), note_at, note));
+  }
   over.rings();
   if (overlays_.sketches) over.sketches();
   if (overlays_.names) over.names();
@@ -349,19 +353,22 @@ void SceneView::paint(QPainter& painter, bool with_handles) {
     paint_locks(painter);
     paint_selection(painter, over);
     paint_tape(painter, over);
-    const double line = QFontMetricsF(font()).height();
-    if (typed_.is_on()) {
-      over.note({8.0, height() - line}, tr("%1   (Enter: apply, Esc: cancel)").arg(typed_.text()));
-    } else if (stage_.is_past()) {
-      over.note({8.0, height() - line},
-                tr("Looking back at %1 s: places only; sketches, fields and lights "
-                   "are not stored")
-                    .arg(stage_.time_s(), 0, 'f', 2));
-    } else if (overlays_.sketches && stage_.left_out() > 0) {
-      over.note({8.0, height() - line}, tr("%1 parts of sketches are not drawn: there are too many")
-                                            .arg(qulonglong(stage_.left_out())));
-    }
+    if (!note.isEmpty()) over.note(note_at, note);
   }
+}
+
+/// What the lower edge says; "" if that is nothing.
+QString SceneView::note_text() const {
+  if (typed_.is_on()) return tr("%1   (Enter: apply, Esc: cancel)").arg(typed_.text());
+  if (stage_.is_past()) {
+    return tr("Looking back at %1 s: places only; sketches, fields and lights are not stored")
+        .arg(stage_.time_s(), 0, 'f', 2);
+  }
+  if (overlays_.sketches && stage_.left_out() > 0) {
+    return tr("%1 parts of sketches are not drawn: there are too many")
+        .arg(qulonglong(stage_.left_out()));
+  }
+  return {};
 }
 
 // Selection and handles

@@ -147,6 +147,7 @@ class SceneView : public QWidget {
   bool is_dark() const;
   void paint(QPainter& painter, bool with_handles);
   void paint_selection(QPainter& painter, const OverlayPainter& over) const;
+  QString note_text() const;
   void paint_locks(QPainter& painter) const;
   void paint_ghost(QPainter& painter, const OverlayPainter& over, const Stage::Solid& solid) const;
   void paint_tape(QPainter& painter, const OverlayPainter& over) const;

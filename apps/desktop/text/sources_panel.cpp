@@ -188,6 +188,8 @@ QString SourcesPanel::open(const QString& file) {
     }
     tabs_->addTab(editor, {});
     connect(editor, &SourceEditor::modified, this, &SourcesPanel::show_titles);
+    connect(editor, &SourceEditor::modified, this, &SourcesPanel::edited);
+    connect(&editor->text(), &QPlainTextEdit::textChanged, this, &SourcesPanel::edited);
     connect(editor, &SourceEditor::save_wished, this, [this, editor] { save(editor); });
     show_titles();
   }
@@ -260,6 +262,22 @@ QStringList SourcesPanel::modified() const {
     if (each->is_modified()) files << each->file();
   }
   return files;
+}
+
+std::vector<Typed> SourcesPanel::unsaved() const {
+  std::vector<Typed> all;
+  for (SourceEditor* each : editors()) {
+    if (each->is_modified()) all.push_back({each->file(), each->text().whole_text()});
+  }
+  return all;
+}
+
+void SourcesPanel::put(const Typed& unsaved) {
+  if (SourceEditor* editor = editor_of(unsaved.path)) {
+    QTextCursor all(editor->text().document());
+    all.select(QTextCursor::Document);
+    all.insertText(unsaved.text);
+  }
 }
 
 QString SourcesPanel::save_all() {

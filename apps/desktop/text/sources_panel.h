@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/problem.h"
+#include "engine/recovery.h"
 
 class QLabel;
 class QPushButton;
@@ -67,11 +68,17 @@ class SourcesPanel : public QWidget {
   void say(const QString& file, const QString& state);
   /// The files with changes that are not saved.
   QStringList modified() const;
+  /// Those files, with the texts that they are to have.
+  std::vector<Typed> unsaved() const;
+  /// Puts a text that was not saved in the place of that of the file, which has a tab.
+  void put(const Typed& unsaved);
   /// Saves all. Returns "", or why a file cannot be written.
   QString save_all();
 
  Q_SIGNALS:
   void failed(const QString& sentence);
+  /// unsaved() may have changed.
+  void edited();
 
  private:
   SourceEditor* editor_of(const QString& file) const;

@@ -56,6 +56,12 @@ void LearningCurve::paintEvent(QPaintEvent* /*event*/) {
     points.push_back({point.x(), std::max(point.y(), kLeastError)});
   }
   QPainter painter(this);
+  if (points_.isEmpty()) {
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
+                     tr("The training draws its learning curve here"));
+    return;
+  }
   draw_chart(painter, rect(), chart, palette());
 }
 

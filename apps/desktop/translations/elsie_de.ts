@@ -1594,10 +1594,6 @@ gehemmt von %1</translation>
         <translation>%1 bearbeiten</translation>
     </message>
     <message>
-        <source>body</source>
-        <translation>Körper</translation>
-    </message>
-    <message>
         <source>set %1 of %2</source>
         <translation>%1 von %2 setzen</translation>
     </message>
@@ -1616,10 +1612,6 @@ gehemmt von %1</translation>
     <message>
         <source>replace %1</source>
         <translation>%1 ersetzen</translation>
-    </message>
-    <message>
-        <source>waypoint</source>
-        <translation>Wegpunkt</translation>
     </message>
     <message>
         <source>goal in it</source>
@@ -1648,10 +1640,6 @@ gehemmt von %1</translation>
     <message>
         <source>Draws the heading from 0 to %1 degrees</source>
         <translation>Wählt die Richtung zufällig zwischen 0 und %1 Grad</translation>
-    </message>
-    <message>
-        <source>drive</source>
-        <translation>Antrieb</translation>
     </message>
     <message>
         <source>Drive</source>
@@ -2015,6 +2003,10 @@ gehemmt von %1</translation>
     <message>
         <source>mean error</source>
         <translation>mittlerer Fehler</translation>
+    </message>
+    <message>
+        <source>The training draws its learning curve here</source>
+        <translation>Hier zeichnet das Training seine Lernkurve</translation>
     </message>
 </context>
 <context>
@@ -2510,14 +2502,6 @@ state hash %2</source>
 Zustands-Hash %2</translation>
     </message>
     <message>
-        <source>The run has ended: %1</source>
-        <translation>Der Lauf ist beendet: %1</translation>
-    </message>
-    <message>
-        <source>The run has ended: %1, %2</source>
-        <translation>Der Lauf ist beendet: %1, %2</translation>
-    </message>
-    <message>
         <source>%1 plugins were found</source>
         <translation>%1 Plugins wurden gefunden</translation>
     </message>
@@ -2975,6 +2959,30 @@ Trotzdem speichern?</translation>
         <source>Writes the run as one HTML file that plays it in any browser</source>
         <translation>Schreibt den Lauf als eine HTML-Datei, die ihn in jedem Browser abspielt</translation>
     </message>
+    <message>
+        <source>success</source>
+        <translation>Erfolg</translation>
+    </message>
+    <message>
+        <source>failure</source>
+        <translation>gescheitert</translation>
+    </message>
+    <message>
+        <source>time is up</source>
+        <translation>die Zeit ist um</translation>
+    </message>
+    <message>
+        <source>no goals</source>
+        <translation>ohne Ziele</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>The source &apos;%1&apos; is not there any more. Its unsaved text is in &apos;%2&apos;, and stays there.</source>
+        <translation>Den Quelltext &apos;%1&apos; gibt es nicht mehr. Sein ungespeicherter Text ist in &apos;%2&apos; und bleibt dort.</translation>
+    </message>
 </context>
 <context>
     <name>elsie::desktop::NewBehaviorDialog</name>
@@ -3241,10 +3249,6 @@ Trotzdem speichern?</translation>
     <message>
         <source>heading</source>
         <translation>Richtung</translation>
-    </message>
-    <message>
-        <source>deg</source>
-        <translation>Grad</translation>
     </message>
     <message>
         <source>at %1 s: %2 %3</source>

@@ -52,12 +52,13 @@ void Card::open() {
   QAccessible::updateAccessibility(&alert);
 }
 
-// As wide as its contents like, but no wider than half of the view, and high enough for them.
+// As wide as its contents like, but no wider than half of the view unless they would be cut off,
+// and high enough for them.
 void Card::settle() {
   const int margin = fontMetrics().height() / 2;
   const QSize room = parentWidget()->size() - QSize(2 * margin, 2 * margin);
   const int wished = 24 * fontMetrics().averageCharWidth() * 2;
-  const int width = std::min(wished, std::max(room.width() / 2, minimumSizeHint().width()));
+  const int width = std::max(std::min(wished, room.width() / 2), minimumSizeHint().width());
   const int height = hasHeightForWidth() ? heightForWidth(width) : sizeHint().height();
   resize(std::min(width, room.width()), std::min(height, room.height()));
   move(corner_ == Corner::left ? margin : parentWidget()->width() - margin - this->width(), margin);

@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 
+#include "look/theme.h"
 #include "paint/axes.h"
 #include "watch/state.h"
 
@@ -389,7 +390,9 @@ void CoordinationPanel::paintEvent(QPaintEvent*) {
     painter.drawLine(0, top + row_height() - 1, viewport()->width(), top + row_height() - 1);
 
     const QRect text(right + em, top, figures - em / 2, row_height());
-    const QRectF bar(text.left(), text.top() + 4, em * 4, line - 4);
+    const int lines = row.reason.isEmpty() ? 1 : 2;  // in the middle of the row
+    const int first = top + (row_height() - lines * line) / 2;
+    const QRectF bar(text.left(), first + 2, em * 4, line - 4);
     painter.fillRect(
         QRectF(bar.topLeft(),
                QSizeF(bar.width() * (row.activation > 0.0 ? std::min(row.activation, 1.0) : 0.0),
@@ -407,10 +410,12 @@ void CoordinationPanel::paintEvent(QPaintEvent*) {
                          .arg(row.command)
                    : tr("priority %1  not asked").arg(number_text(row.priority)));
     const int beside = em * 5;
-    painter.drawText(text.adjusted(beside, 1, 0, 0), Qt::AlignTop,
-                     font.elidedText(numbers, Qt::ElideRight, text.width() - beside));
-    painter.drawText(text.adjusted(0, 0, 0, -2), Qt::AlignBottom,
-                     font.elidedText(row.reason, Qt::ElideRight, text.width()));
+    const QRect words(text.left() + beside, first, text.width() - beside, line);
+    painter.drawText(words, Qt::AlignVCenter,
+                     font.elidedText(numbers, Qt::ElideRight, words.width()));
+    painter.setPen(quiet(palette()));
+    painter.drawText(words.translated(0, line), Qt::AlignVCenter,
+                     font.elidedText(row.reason, Qt::ElideRight, words.width()));
   }
   painter.setClipping(false);
   painter.setPen(ink);

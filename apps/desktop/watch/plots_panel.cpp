@@ -29,7 +29,7 @@ namespace {
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr int kName = Qt::UserRole;
 constexpr double kSaved_px = 8000.0;  // finer than any picture
-constexpr int kStrip_lines = 11;      // the least height of a strip
+constexpr int kStrip_lines = 8;       // the least height of a strip
 
 class Plot : public QWidget, public ShowsFigures {
  public:

@@ -194,6 +194,7 @@ void StuckNotice::show_text() {
   text_->setText(sentences.join(QLatin1Char('\n')));
   select_->setText(tr("Select %1").arg(robot_));
   setAccessibleName(text_->text());
+  settle();
 }
 
 }  // namespace elsie::desktop

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScopedValueRollback>
 #include <QScrollArea>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -19,6 +20,7 @@
 #include "world/fan.h"
 #include "world/form.h"
 #include "world/properties.h"
+#include "world/words.h"
 
 namespace elsie::desktop {
 namespace {
@@ -74,7 +76,7 @@ ElementDialog::ElementDialog(Workbench& workbench, QWidget* parent)
   connect(buttons_, &QDialogButtonBox::accepted, this, &ElementDialog::accept);
   connect(buttons_, &QDialogButtonBox::rejected, this, &ElementDialog::reject);
   column->addWidget(buttons_);
-  resize(46 * fontMetrics().averageCharWidth() + 320, 30 * fontMetrics().height());
+  resize(46 * fontMetrics().averageCharWidth() + 320, 34 * fontMetrics().height());
 }
 
 ElementDialog* ElementDialog::make(Workbench& workbench, const QString& holder, const QString& list,
@@ -203,13 +205,14 @@ void ElementDialog::show_kind(const Kind& kind) {
   if (list_ == "goals") add_first_goal(kind);
   if (list_ == "robots") {
     if (const auto body = workbench_.catalog().element("body")) {
-      add_page(tr("body"), "body", *body, Json::object());
+      add_page("body", "body", *body, Json::object());
     }
     offer_drives("differential");
   }
   if (list_ == "sensors" || list_ == "actuators") {
     offer_headings(kind);
   }
+  keep_typed();
 }
 
 void ElementDialog::add_page(const QString& title, const QString& path, const Kind& kind,
@@ -232,19 +235,21 @@ void ElementDialog::add_page(const QString& title, const QString& path, const Ki
   auto* whole = new QVBoxLayout(holder);
   whole->setContentsMargins(0, 0, 0, 0);
   whole->addWidget(scroll);
-  tabs_->addTab(holder, title);
+  tabs_->setTabToolTip(tabs_->addTab(holder, in_words(title)), title);
   pages_.push_back({title, path, kind, form, form->values()});
   if (TrainingPage::learns(kind)) {
     offer_training(kind, form, makes_ ? holder_ + "/coordinator" : path);
   }
-  if (makes_) {
-    return;
+  if (!makes_) {
+    connect(form, &Form::committed, this, [this, form](const QString& name, const QString& value) {
+      change(form, name, value, false);
+    });
+    connect(form, &Form::taken_back, this,
+            [this, form](const QString& name) { change(form, name, {}, true); });
   }
-  connect(form, &Form::committed, this, [this, form](const QString& name, const QString& value) {
-    change(form, name, value, false);
-  });
-  connect(form, &Form::taken_back, this,
-          [this, form](const QString& name) { change(form, name, {}, true); });
+  connect(form, &Form::committed, this, &ElementDialog::keep_typed);
+  connect(form, &Form::taken_back, this, &ElementDialog::keep_typed);
+  connect(form, &Form::typed, this, &ElementDialog::keep_typed);
 }
 
 void ElementDialog::change(const Form* form, const QString& name, const QString& value,
@@ -299,22 +304,67 @@ void ElementDialog::rename(const QString& from, const QString& to) {
   }
   changes_ = std::move(changes);
   for (Page& page : pages_) follow(page.path);
+  keep_typed();
+}
+
+std::map<QString, QString> ElementDialog::values_in(const Page& page) const {
+  std::map<QString, QString> values = page.form->values();
+  if (with_unfinished_) {
+    for (const auto& [name, text] : page.form->unfinished()) values[name] = text;
+  }
+  return values;
+}
+
+bool ElementDialog::is_touched() const {
+  return std::any_of(pages_.begin(), pages_.end(), [this](const Page& page) {
+    std::map<QString, QString> values = values_in(page);
+    if (&page == &pages_.front()) {
+      for (const auto& [name, value] : begin_with_) {
+        if (const auto found = values.find(name); found != values.end() && found->second == value) {
+          values.erase(found);
+        }
+      }
+    }
+    return values != page.before;
+  });
+}
+
+void ElementDialog::keep_typed() {
+  const QScopedValueRollback<bool> all(with_unfinished_, true);
+  std::vector<Typed> typed;
+  if (!makes_ || is_touched()) {
+    for (const QString& edit : edits()) {
+      typed.push_back({edit.section('=', 0, 0), edit.section('=', 1)});
+    }
+  }
+  for (const Page& page : pages_) {
+    if (makes_) continue;  // the element has them
+    for (const auto& [name, text] : page.form->unfinished()) {
+      typed.push_back({attribute_path(page.path, name), text});
+    }
+  }
+  workbench_.keep_typed(this, std::move(typed));
+}
+
+void ElementDialog::done(int result) {
+  workbench_.keep_typed(this, {});
+  QDialog::done(result);
 }
 
 QString ElementDialog::markup(const std::map<QString, QString>& changed) const {
   const Page& main = pages_.front();
-  std::map<QString, QString> values = main.form->values();
+  std::map<QString, QString> values = values_in(main);
   for (const auto& [name, value] : changed) values[name] = value;
   QString content;
   for (std::size_t i = 1; i < pages_.size(); ++i) {
     const Page& page = pages_[i];
-    const QString attributes = attributes_text(page.form->values());
+    const QString attributes = attributes_text(values_in(page));
     if (page.path == "drive") {
       if (page.kind.name != "differential" || !attributes.isEmpty()) {
         content += "<drive><" + page.kind.name + attributes + "/></drive>";
       }
     } else if (page.path == "outline") {
-      content += points(page.form->values());
+      content += points(values_in(page));
     } else if (!attributes.isEmpty() || list_ == "goals") {
       content += '<' + page.path + attributes + "/>";
     }
@@ -328,7 +378,7 @@ QStringList ElementDialog::edits() const {
   if (makes_) {
     const QString place = (holder_.isEmpty() ? QString() : holder_ + '/') + word() +
                           (present().element ? "=" : "[+]=");
-    const auto& values = pages_.front().form->values();
+    const std::map<QString, QString> values = values_in(pages_.front());
     const auto given = [&](const char* name) {
       const auto found = values.find(name);
       return found == values.end() ? QString() : found->second;

@@ -54,6 +54,8 @@ class ElementDialog : public QDialog {
   void accept() override;
   /// During a training, Cancel stops the training and the dialog stays open.
   void reject() override;
+  /// Whatever closes it: what was typed in it is not kept any longer.
+  void done(int result) override;
 
  private:
   struct Page {
@@ -71,9 +73,15 @@ class ElementDialog : public QDialog {
   QString word() const;
   void show_kind(const Kind& kind);
   void add_page(const QString& title, const QString& path, const Kind& kind, const Json& values);
+  /// The values in a form, and while `with_unfinished_` those that are typed and not entered.
+  std::map<QString, QString> values_in(const Page& page) const;
   /// `changed`: attributes that differ from those in the form.
   QString markup(const std::map<QString, QString>& changed = {}) const;
   QStringList edits() const;
+  /// Whether a new element has other values than those with which it began.
+  bool is_touched() const;
+  /// Keeps what is typed for the case of a crash.
+  void keep_typed();
   /// A change in a form: makes it, or keeps it for OK.
   void change(const Form* form, const QString& name, const QString& value, bool taken_back);
   /// Takes back what was changed immediately.
@@ -93,6 +101,7 @@ class ElementDialog : public QDialog {
 
   Workbench& workbench_;
   bool makes_ = false;
+  bool with_unfinished_ = false;
   QString path_;  // edited
   QString holder_, list_;
   std::vector<Kind> kinds_;

@@ -41,7 +41,7 @@ void ElementDialog::add_waypoint(const Kind& kind) {
   if (waypoint && kind.elements.contains("waypoint")) {
     const auto& given = pages_.front().form->values();
     const bool is_aside = given.contains("x") || given.contains("y");
-    add_page(tr("waypoint"), "waypoint", *waypoint, {{"x", is_aside ? "0" : "0.5"}, {"y", "0"}});
+    add_page("waypoint", "waypoint", *waypoint, {{"x", is_aside ? "0" : "0.5"}, {"y", "0"}});
   }
 }
 
@@ -132,7 +132,7 @@ void ElementDialog::offer_drives(const QString& chosen) {
   if (drives.empty()) {
     return;
   }
-  add_page(tr("drive"), "drive", drives.front(), Json::object());
+  add_page("drive", "drive", drives.front(), Json::object());
   const std::size_t place = pages_.size() - 1;
   auto* choice = new QComboBox;
   choice->setObjectName("drive");

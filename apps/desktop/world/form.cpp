@@ -162,8 +162,13 @@ void Form::show_fields(const std::vector<Field>& fields, const Json& values) {
       layout_->removeRow(0);
     }
     rows_.clear();
+    int widest = 0;  // unit, so that the fields end below each other
     for (const Field& field : fields) {
       rows_.push_back(make_row(field));
+      if (rows_.back().unit) widest = std::max(widest, rows_.back().unit->sizeHint().width());
+    }
+    for (const Row& row : rows_) {
+      if (row.unit) row.unit->setMinimumWidth(widest);
     }
   }
   values_.clear();
@@ -245,13 +250,15 @@ Form::Row Form::make_row(const Field& field) {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(1);
   auto* line = new QHBoxLayout;
+  line->setSpacing(fontMetrics().averageCharWidth() / 2);
   column->addLayout(line);
 
   row.editor = make_editor(field);
   row.editor->setMinimumWidth(kFewest_letters * fontMetrics().averageCharWidth());
   line->addWidget(row.editor, 1);
   if (!field.unit.isEmpty()) {
-    line->addWidget(new QLabel(unit_in_words(field.unit)));
+    row.unit = new QLabel(unit_in_words(field.unit));
+    line->addWidget(row.unit);
   }
   if (field.type == "file") {
     add_browse(line, name);

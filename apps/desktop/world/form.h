@@ -66,6 +66,7 @@ class Form : public QWidget {
     QLabel* label = nullptr;
     WarningLabel* problem = nullptr;
     QLabel* live = nullptr;
+    QLabel* unit = nullptr;
     QToolButton* reset = nullptr;
   };
 

@@ -11,6 +11,7 @@
 
 #include "engine/workbench.h"
 #include "world/form.h"
+#include "world/words.h"
 
 namespace elsie::desktop {
 namespace {
@@ -100,7 +101,7 @@ Properties::Properties(Workbench& workbench, QWidget* parent)
     for (const auto& [name, text] : form_->unfinished()) {
       typed.push_back({attribute_path(path_, name), text});
     }
-    workbench_.keep_typed(std::move(typed));
+    workbench_.keep_typed(form_, std::move(typed));
   });
   refresh();
 }
@@ -183,14 +184,15 @@ void Properties::show_pose(double x, double y, double heading_deg) {
 void Properties::show_last_pose() {
   show_number("x", QStringLiteral("x"), pose_[0], 2, tr("m"));
   show_number("y", QStringLiteral("y"), pose_[1], 2, tr("m"));
-  show_number("heading_deg", tr("heading"), pose_[2], 0, tr("deg"));
+  show_number("heading_deg", tr("heading"), pose_[2], 0, unit_in_words("deg"));
 }
 
 // Unknown values are not shown.
 void Properties::show_number(const QString& name, const QString& title, double value, int digits,
                              const QString& unit) {
   const QString text = QString::number(value, 'f', digits);
-  show_live(name, title, std::isfinite(value) ? (text + ' ' + unit).trimmed() : QString());
+  const QString gap = unit.startsWith(QChar(0x00b0)) || unit.isEmpty() ? QString() : " ";
+  show_live(name, title, std::isfinite(value) ? text + gap + unit : QString());
 }
 
 void Properties::show_live(const QString& name, const QString& title, const QString& value) {
@@ -212,6 +214,7 @@ void Properties::refresh() {
     title_->setText(workbench_.tree().is_object() ? tr("Nothing is selected") : tr("No world"));
     about_->clear();
     form_->show_fields({}, Json::object());
+    filter_->hide();
     return;
   }
   title_->setText(path_.isEmpty() ? tr("World") : described->title);

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QRegularExpression>
+#include <array>
 
 namespace elsie::desktop {
 namespace {
@@ -218,13 +219,21 @@ QString in_words(const QString& name, const QString& unit) {
       !unit.isEmpty() && words.endsWith(end)) {
     words.chop(end.size());
   }
-  words.replace('_', ' ');
+  static const QStringList initials{"cfm", "erp", "gps", "imu"};
+  if (initials.contains(words)) return words.toUpper();
+  words.replace('_', ' ').replace("behavior", "behaviour");
   // One letter is a name, as x is.
   return words.size() > 1 ? words.left(1).toUpper() + words.mid(1) : words;
 }
 
 QString unit_in_words(const QString& unit) {
-  return unit == "deg" ? QString("\u00b0") : unit == "deg/s" ? QString("\u00b0/s") : unit;
+  static const QRegularExpression power("([a-z])([234])");
+  QString words = unit;
+  for (auto found = power.match(words); found.hasMatch(); found = power.match(words)) {
+    constexpr std::array kRaised{u'\u00b2', u'\u00b3', u'\u2074'};
+    words[found.capturedStart(2)] = kRaised[found.captured(2).toUInt() - 2];
+  }
+  return words.replace("deg", "\u00b0");
 }
 
 }  // namespace elsie::desktop
