@@ -79,6 +79,9 @@ void replace_what_changed(build::Watch& watch, Simulation& simulation, bool quie
   if (!renewal->kept.empty()) {
     err() << at << joined(renewal->kept) << ": the old version stays in use\n";
   }
+  if (!renewal->restored.empty() && !quiet) {
+    err() << at << joined(renewal->restored) << ": again the version in use\n";
+  }
   if (!renewal->host) {
     return;
   }

@@ -207,6 +207,13 @@ TEST_CASE("A watch compiles a source when it or a header of its own changes") {
   CHECK_THAT(renewal->problems[0], Contains("straight.cpp:5:") && Contains("nothing_known"));
   CHECK(speed(watch.host(), "straight") == 4.5);
 
+  // What is taken back is said, too.
+  write_text(here / "straight.cpp", source("return elsie::WheelPair().motion({kSpeed, kSpeed});"));
+  renewal = found(watch);
+  CHECK_FALSE(renewal->host);
+  CHECK(renewal->problems.empty());
+  CHECK(renewal->restored == std::vector<fs::path>{here / "straight.cpp"});
+
   write_text(here / "straight.cpp", source("return elsie::WheelPair().motion({kSpeed, 0});"));
   renewal = found_host(watch);
   CHECK(renewal->problems.empty());

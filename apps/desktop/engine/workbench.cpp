@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QFileSystemWatcher>
+#include <QRegularExpression>
 #include <algorithm>
 #include <csignal>
 #include <iterator>
@@ -33,8 +34,10 @@ Problems listed(const Json& object, const char* list, bool are_warnings) {
                           are_warnings});
       break;
     }
-    problems.push_back(
-        {text_of(each, "file"), each.value("line", 0), text_of(each, "message"), are_warnings});
+    // A world that was never saved has lines, but no file.
+    static const QRegularExpression only_line("\\(:(\\d+)\\)");
+    const QString message = text_of(each, "message").replace(only_line, "(line \\1)");
+    problems.push_back({text_of(each, "file"), each.value("line", 0), message, are_warnings});
   }
   return problems;
 }
@@ -221,7 +224,7 @@ void Workbench::take_plugins(const Json& event) {
     for (const Json& each : member(event, list)) files << written(each);
     return files;
   };
-  const QStringList files = names("files"), kept = names("kept");
+  const QStringList files = names("files") + names("restored"), kept = names("kept");
   if (!awaited_.isEmpty() && (files.contains(awaited_) || kept.contains(awaited_))) {
     const bool is_used = files.contains(std::exchange(awaited_, QString()));
     end_change(is_used ? Problems() : plugin_problems_);

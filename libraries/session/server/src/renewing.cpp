@@ -35,7 +35,8 @@ void Server::Impl::renew_plugins() {
   Json event = {{"event", "plugins"},
                 {"files", names_of(renewal->files)},
                 {"problems", renewal->problems},
-                {"kept", names_of(renewal->kept)}};
+                {"kept", names_of(renewal->kept)},
+                {"restored", names_of(renewal->restored)}};
   if (const auto host = renewal->host) {
     try {
       use(*host, event);

@@ -156,6 +156,18 @@ class WatchedPaths {
     return library;
   }
 
+  /// Whether the present version of the file, as the user names it, is not the host's.
+  bool is_behind(const fs::path& file, const plugin::Report& report) const {
+    for (std::size_t i = 0; i < watched_.size(); ++i) {
+      if (watched_[i].directory.path == file && watched_[i].is_refused) return true;
+      for (const plugin::FileReport& each : report.directories[i].files) {
+        if (each.is_former && (each.path == file || watched_[i].directory.path == file))
+          return true;
+      }
+    }
+    return false;
+  }
+
   /// Adds the files, as the user names them, of which a host has older versions.
   void list_kept(const plugin::Report& report, const plugin::Report& before,
                  std::vector<fs::path>& kept) const {
@@ -399,13 +411,32 @@ class Watch::Impl {
                                    "' has no plugin that is not there already");
       }
     }
+    note_behind(renewal, host->report());
     if (!files.empty()) {
       renewal.host = std::move(host);
     }
-    if (renewal.host || !renewal.problems.empty()) {
-      post(std::move(renewal));
-    } else {
+    if (!renewal.host && renewal.problems.empty()) {
       withdraw();
+    }
+    if (renewal.host || !renewal.problems.empty() || !renewal.restored.empty()) {
+      post(std::move(renewal));
+    }
+  }
+
+  /// Remembers which files the host is behind, and finds those which it is no longer.
+  void note_behind(Renewal& renewal, const plugin::Report& report) {
+    for (const fs::path& file : renewal.kept) {
+      if (watched_.is_behind(file, report)) behind_.insert(file);
+    }
+    for (auto file = behind_.begin(); file != behind_.end();) {
+      const bool is_new =
+          std::find(renewal.files.begin(), renewal.files.end(), *file) != renewal.files.end();
+      if (!is_new && watched_.is_behind(*file, report)) {
+        ++file;
+        continue;
+      }
+      if (!is_new) renewal.restored.push_back(*file);
+      file = behind_.erase(file);
     }
   }
 
@@ -416,6 +447,8 @@ class Watch::Impl {
     if (renewal_) {
       merge(renewal_->problems, std::move(renewal.problems));
       merge(renewal_->kept, std::move(renewal.kept));
+      merge(renewal_->restored, std::move(renewal.restored));
+      renewal.restored = std::move(renewal_->restored);
       renewal.problems = std::move(renewal_->problems);
       renewal.kept = std::move(renewal_->kept);
       if (!renewal.host) {
@@ -436,8 +469,9 @@ class Watch::Impl {
     }
   }
 
-  WatchedPaths watched_;  // used by the thread only, once it runs
-  Prints seen_;           // likewise
+  WatchedPaths watched_;       // used by the thread only, once it runs
+  Prints seen_;                // likewise, as the next one
+  std::set<fs::path> behind_;  // files whose present version the host does not have
   const std::chrono::milliseconds period_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;

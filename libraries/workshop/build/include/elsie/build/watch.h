@@ -36,6 +36,8 @@ struct Renewal {
   /// library any more. `host` still has the old versions.
   std::vector<std::string> problems;
   std::vector<std::filesystem::path> kept;  // files whose old version stays in use
+  /// Files that were among the kept ones, and are again as the version in use.
+  std::vector<std::filesystem::path> restored = {};
 };
 
 /// A watcher, to be used by one thread in addition to its own.
