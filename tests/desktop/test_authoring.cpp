@@ -123,6 +123,26 @@ TEST_CASE("A robot begins where it is now") {
   }));
 }
 
+TEST_CASE("A new robot stands where nothing is, now and at the start") {
+  Room window(QString(kRoom).replace("x=\"-1\"", "x=\"0\""));
+  run_until(window, 5.0);  // r1 has left the middle
+  QDialog* dialog = window.dialog_of("add_robot");
+  window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
+  window.await_closed("element_dialog");
+  CHECK(window.bench().text().contains("<robot id=\"r2\""));
+}
+
+TEST_CASE("A refusal about a world without a file names the line, and no file") {
+  Window window;
+  window.open_text(kRoom);
+  Problems said;
+  window.bench().edit({"robot[+]=<robot id=\"r2\" x=\"-1\"/>"}, "add", {}, &window.window(),
+                      [&](const Problems& problems) { said = problems; });
+  REQUIRE(wait_for([&] { return !said.empty(); }));
+  CHECK(said.front().message.contains("overlaps"));
+  CHECK_FALSE(said.front().message.contains("(:"));
+}
+
 TEST_CASE("After a run has ended, its last pose can be made the start") {
   Room window(QString(kRoom).replace("time=\"60\"", "time=\"2\""));
   window.run_to_the_end();

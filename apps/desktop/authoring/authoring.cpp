@@ -25,8 +25,9 @@ namespace {
 
 QString heading_deg(double rad) { return number(degrees(wrap_angle(rad)), 0.01); }
 
-/// The free place that is nearest to the middle, on rings around it; the middle if there is none.
-QPointF free_place(const Stage& stage) {
+/// The place nearest to the middle that is free now and at the start, on rings around it; the
+/// middle if there is none.
+QPointF free_place(const Stage& stage, const Json& world) {
   constexpr double kRoom = 0.3;   // m, around it
   constexpr double kStep = 0.25;  // m, between rings
   const double half = 0.5 * std::min(stage.length(), stage.width()) - kRoom;
@@ -35,7 +36,7 @@ QPointF free_place(const Stage& stage) {
     for (int i = 0; i < places; ++i) {
       const double angle = 2.0 * M_PI * i / places;
       const QPointF at(ring * kStep * std::cos(angle), ring * kStep * std::sin(angle));
-      if (stage.is_free(at, kRoom)) {
+      if (stage.is_free(at, kRoom) && is_free_at_start(world, at, kRoom)) {
         return at;
       }
     }
@@ -148,7 +149,8 @@ void Authoring::add_element(const QString& holder, const QString& list,
   if (!beginning.team.isEmpty()) {
     dialog->begin_with("team", beginning.team);
   }
-  const QPointF at = beginning.at.value_or(kPlaced.contains(list) ? free_place(stage_) : QPointF());
+  const QPointF at = beginning.at.value_or(
+      kPlaced.contains(list) ? free_place(stage_, workbench_.tree()) : QPointF());
   if (beginning.at || !at.isNull()) {
     dialog->begin_with("x", number(at.x(), 0.01));
     dialog->begin_with("y", number(at.y(), 0.01));

@@ -16,32 +16,7 @@ namespace {
 
 constexpr auto kMime = "application/x-elsie-element";
 constexpr double kAside_m = 0.3;  // distance between the places that are tried for a copy
-constexpr double kLeast_m = 0.2;  // the size of an object that does not give it
 constexpr int kMostRings = 12;
-
-/// Half the diagonal of what an element says of its size, m.
-double room_of(const std::function<QString(const char*)>& attribute) {
-  const auto side = [&](const char* name) {
-    return std::max(attribute(name).toDouble(), kLeast_m);
-  };
-  return 0.5 * std::hypot(side("length"), side("width"));
-}
-
-/// Whether no object begins near that place: in a run they stand elsewhere.
-bool is_free_at_start(const Json& world, const QPointF& at, double room) {
-  bool is_free = true;
-  visit(world, [&](const ElementPlace& place) {
-    const QString list = place.parent ? name_of(*place.parent) : QString();
-    if (!place.list.isEmpty() || !kPlaced.contains(list) || Stage::is_bodiless(place.path)) {
-      return is_free;
-    }
-    const auto given = [&](const char* name) { return attribute(*place.element, name); };
-    const QPointF by = at - QPointF(given("x").toDouble(), given("y").toDouble());
-    is_free = is_free && std::hypot(by.x(), by.y()) > room + room_of(given);
-    return false;
-  });
-  return is_free;
-}
 
 QString clipboard_text() {
   const QMimeData* held = QApplication::clipboard()->mimeData();

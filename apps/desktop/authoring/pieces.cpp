@@ -2,10 +2,15 @@
 
 #include <QRegularExpression>
 #include <QXmlStreamReader>
+#include <algorithm>
 #include <cmath>
+
+#include "scene/stage.h"
 
 namespace elsie::desktop {
 namespace {
+
+constexpr double kLeast_m = 0.2;  // the size of an object that does not give it
 
 QRegularExpressionMatch match_of(const Piece& piece, const QString& attribute) {
   // Values may contain '>', so they are skipped as a whole.
@@ -73,6 +78,28 @@ QString with_attribute(const Piece& piece, const QString& attribute, const QStri
 QString attribute_of(const Piece& piece, const QString& attribute) {
   const QRegularExpressionMatch match = match_of(piece, attribute);
   return match.captured(match.capturedStart(2) >= 0 ? 2 : 3);
+}
+
+double room_of(const std::function<QString(const char*)>& attribute) {
+  const auto side = [&](const char* name) {
+    return std::max(attribute(name).toDouble(), kLeast_m);
+  };
+  return 0.5 * std::hypot(side("length"), side("width"));
+}
+
+bool is_free_at_start(const Json& world, const QPointF& at, double room) {
+  bool is_free = true;
+  visit(world, [&](const ElementPlace& place) {
+    const QString list = place.parent ? name_of(*place.parent) : QString();
+    if (!place.list.isEmpty() || !kPlaced.contains(list) || Stage::is_bodiless(place.path)) {
+      return is_free;
+    }
+    const auto given = [&](const char* name) { return attribute(*place.element, name); };
+    const QPointF by = at - QPointF(given("x").toDouble(), given("y").toDouble());
+    is_free = is_free && std::hypot(by.x(), by.y()) > room + room_of(given);
+    return false;
+  });
+  return is_free;
 }
 
 }  // namespace elsie::desktop

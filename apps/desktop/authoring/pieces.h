@@ -1,6 +1,9 @@
 // Pieces of a world on the clipboard.
 #pragma once
 
+#include <QPointF>
+#include <functional>
+
 #include "engine/elements.h"
 
 namespace elsie::desktop {
@@ -11,6 +14,11 @@ inline const QStringList kPlaced{"robots", "obstacles", "resources", "chargers",
 
 /// A number as in a file, rounded to `step`; the millimetre is as exact as a hand.
 QString number(double value, double step = 0.001);
+
+/// Half the diagonal of what an element says of its size by its attributes, m.
+double room_of(const std::function<QString(const char*)>& attribute);
+/// Whether no object begins so near to that place, m: in a run they stand elsewhere.
+bool is_free_at_start(const Json& world, const QPointF& at, double room);
 
 /// One element of a text that holds several.
 struct Piece {
