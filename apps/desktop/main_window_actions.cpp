@@ -380,7 +380,8 @@ void MainWindow::show_keys() {
     if (!each->shortcut().isEmpty()) {
       const QString key = each->shortcut().toString(QKeySequence::NativeText);
       cells << "<td style='white-space:pre'>" + key.toHtmlEscaped() +
-                   "  </td><td style='white-space:pre'>" + title_of(*each).toHtmlEscaped() +
+                   "  </td><td style='white-space:pre'>" +
+                   title_of(*each).section(": ", 0, 0).toHtmlEscaped() +  // without what is undone
                    "    </td>";
     }
   }

@@ -76,6 +76,8 @@ SourceEditor::SourceEditor(QWidget* parent)
       tr("Saves the file; the engine compiles and loads it, and the run goes on (Ctrl+S)"));
   state_->setObjectName(QStringLiteral("source_state"));
   state_->setTextFormat(Qt::PlainText);
+  state_->setWordWrap(true);  // a longer sentence does not make the window wider
+  state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   auto* row = new QHBoxLayout;
   row->addWidget(save_);
   row->addWidget(state_, 1);

@@ -72,6 +72,7 @@ RunCard::RunCard(QWidget* parent)
   collisions_ = fact("run_card_collisions", tr("Collisions"));
   seed_ = fact("run_card_seed", tr("Seed"));
   auto* hash_row = new QHBoxLayout;
+  hash_row->setSpacing(fontMetrics().averageCharWidth());
   hash_ = new QLabel;
   hash_->setObjectName(QStringLiteral("run_card_hash"));
   hash_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
