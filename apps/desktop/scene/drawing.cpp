@@ -1,11 +1,11 @@
 #include "scene/drawing.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "elsie/picture/axis.h"
+#include "elsie/render/sketch_style.h"
 
 namespace elsie::desktop {
 namespace {
@@ -27,18 +27,6 @@ void add_circle(std::vector<render::Stroke>& lines, int sides, const render::Str
 }
 
 }  // namespace
-
-const SketchStyle& style_of(SketchRole role) {
-  static const std::array<SketchStyle, 7> styles{{{{0x2a, 0x7a, 0xb8}, 0.45, 1.0},       // range
-                                                  {{0xc0, 0x30, 0x30}, 0.85, 1.2, 4.0},  // hit
-                                                  {{0x2f, 0x6f, 0x9f}, 0.35, 1.0},       // field
-                                                  {{0x1b, 0x5f, 0xb0}, 0.9, 1.4},        // target
-                                                  {{0x9c, 0x2f, 0x8a}, 0.9, 1.8},        // wish
-                                                  {{0x5a, 0x5f, 0x6b}, 0.9, 1.4, 2.0},   // belief
-                                                  {{0x00, 0x83, 0x8f}, 0.9, 1.6}}};      // message
-  // The memory is shared with a process that runs plugins.
-  return styles[std::min(static_cast<std::size_t>(role), styles.size() - 1)];
-}
 
 double grid_step(const Stage& stage, const OrbitCamera& camera) {
   const double across = 1.2 * camera.distance;
@@ -96,7 +84,8 @@ std::vector<render::Stroke> sketch_lines(const Stage& stage) {
   std::vector<render::Stroke> lines;
   for (const snapshots::MarkState& mark : stage.marks()) {
     if (mark.kind != Sketch::Kind::line && mark.kind != Sketch::Kind::arrow) continue;
-    const SketchStyle& style = style_of(mark.role);
+    // Its memory is shared with a process that runs plugins: the role may be any number.
+    const render::SketchStyle& style = render::style_of(mark.role);
     lines.push_back(
         {mark.begin(), mark.end(), style.colour, style.opacity, style.width, style.dash});
   }

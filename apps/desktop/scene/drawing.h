@@ -3,22 +3,12 @@
 
 #include <vector>
 
-#include "elsie/api/sketch.h"
 #include "elsie/render/scene.h"
 
 #include "scene/camera.h"
 #include "scene/stage.h"
 
 namespace elsie::desktop {
-
-/// How what plugins draw looks, for each role.
-struct SketchStyle {
-  Colour colour;
-  double opacity;
-  double width;       // px
-  double dash = 0.0;  // px
-};
-const SketchStyle& style_of(SketchRole role);
 
 /// The distance between labelled lines of the grid, m: finer when the camera is near.
 double grid_step(const Stage& stage, const OrbitCamera& camera);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "elsie/picture/axis.h"
+#include "elsie/render/sketch_style.h"
 
 #include "scene/drawing.h"
 
@@ -125,7 +126,7 @@ QRectF OverlayPainter::box_of_number(const Vector3& at, const Vector3& away,
 
 void OverlayPainter::sketches() const {
   for (const snapshots::MarkState& mark : stage_.marks()) {
-    const SketchStyle& style = style_of(mark.role);
+    const render::SketchStyle& style = render::style_of(mark.role);
     painter_.setPen(QPen(colour_of(style.colour, style.opacity), style.width));
     switch (mark.kind) {
       case Sketch::Kind::points:
@@ -198,7 +199,7 @@ void OverlayPainter::point(const Vector3& place, SketchRole role) const {
     painter_.drawEllipse(*at, kDot, kDot);
   } else {
     painter_.setPen(Qt::NoPen);
-    painter_.setBrush(colour_of(style_of(role).colour, style_of(role).opacity));
+    painter_.setBrush(colour_of(render::style_of(role).colour, render::style_of(role).opacity));
     painter_.drawEllipse(*at, kDot, kDot);
     painter_.setBrush(Qt::NoBrush);
   }

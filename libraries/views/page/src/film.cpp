@@ -11,6 +11,7 @@
 #include "elsie/files/base64.h"
 #include "elsie/files/clean_text.h"
 #include "elsie/picture/bodies.h"
+#include "elsie/render/sketch_style.h"
 #include "elsie/world/escaped.h"
 
 #include "scenes.h"
@@ -160,6 +161,20 @@ std::string Film::scenes_text() const {
   return out += "],\"images\":" + nlohmann::json(images_).dump();
 }
 
+namespace {
+
+/// How sketches look, by their roles: colour, opacity, width and dashes in pixels.
+std::string roles_text() {
+  auto roles = nlohmann::ordered_json::array();
+  for (const render::SketchStyle& style : render::kSketchStyles) {
+    const auto& [red, green, blue] = style.colour;
+    roles.push_back({{red, green, blue}, style.opacity, style.width, style.dash});
+  }
+  return "\"roles\":" + roles.dump();
+}
+
+}  // namespace
+
 PageRun Film::page_run(const RecordedRun& whole, double end_s, const std::vector<Layer*>& others,
                        const std::string& exactness, const Facts& more, std::size_t most_bytes) {
   std::vector<Layer*> layers = others;
@@ -171,7 +186,8 @@ PageRun Film::page_run(const RecordedRun& whole, double end_s, const std::vector
   constexpr picture::Size kPicture{900, 0};
   const std::string svg = recording::picture_svg(whole, drives_, {subtitle(whole)}, kPicture);
   const std::string fixed = "\"end\":" + std::to_string(fine(end_s)) + "," + events_text(whole) +
-                            "," + scenes_text() + ",\"picture\":" + nlohmann::json(svg).dump();
+                            "," + scenes_text() + "," + roles_text() +
+                            ",\"picture\":" + nlohmann::json(svg).dump();
 
   PageRun run;
   run.data = packed_data(fixed, layers, most_bytes);

@@ -34,6 +34,7 @@ class Run {
     this.picture = data.picture;
     this.scenes = data.scenes;
     this.images = data.images;
+    this.roles = data.roles;
     this.lights = data.lights.map((each) => ({...each, s: sums(each.s)}));
     this.sketches = data.sketches.map((each) => ({...each, s: sums(each.s)}));
     this.fields = data.fields.map((each) => ({...each, s: sums(each.s)}));

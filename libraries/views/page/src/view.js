@@ -1,13 +1,4 @@
 // The picture of the world: what the painter draws at a time, the notes above it, and the camera in the user's hands.
-const kRoles = [  // of the marks that plugins draw: colour, opacity, width, dashes
-  [[0x2a, 0x8a, 0xd0], 0.45, 1, 0],  // range
-  [[0xd9, 0x3a, 0x3a], 0.65, 1.2, 0],  // hit
-  [[0x3b, 0x87, 0xb8], 0.4, 1, 0],  // field
-  [[0x2b, 0x7a, 0xd8], 0.95, 1.8, 0],  // target
-  [[0xb0, 0x3c, 0xa0], 0.95, 2.2, 0],  // wish
-  [[0x7d, 0x84, 0x92], 0.9, 1.6, 6],  // belief
-  [[0x00, 0x9a, 0xa8], 0.9, 1.8, 0],  // message
-];
 const kMostNames = 40, kMostTrails = 60;
 const kCurve = -1;  // in place of dashes: a part of a curve
 
@@ -217,7 +208,7 @@ class View {
       const all = this.run.robots.length <= 12;
       for (const mark of this.marks) {
         if (!all && mark.body >= 0 && mark.body !== selected?.body) continue;
-        const [colour, alpha, width, dashes] = kRoles[mark.role], strength = mark.body < 0 || mark.body === selected?.body ? alpha : alpha * 0.6;
+        const [colour, alpha, width, dashes] = this.run.roles[mark.role], strength = mark.body < 0 || mark.body === selected?.body ? alpha : alpha * 0.6;
         const places = mark.places;
         if (mark.kind === 0) {
           for (const at of places) line(at, at, colour, strength, 5);
