@@ -119,10 +119,8 @@ int main(int argc, char** argv) {
   try {
     elsie::desktop::MainWindow window(program, options);
     window.show();
-    window.offer_recovered();
-    if (!parser.positionalArguments().isEmpty()) {
-      window.open(parser.positionalArguments().front());
-    }
+    const QString world = parser.positionalArguments().value(0);
+    if (!window.offer_recovered(world) && !world.isEmpty()) window.open(world);
     return QApplication::exec();
   } catch (const elsie::base::Error& error) {
     std::cerr << "elsie-desktop: " << error.what() << '\n';

@@ -71,8 +71,9 @@ class MainWindow : public QMainWindow {
   static QSize first_size(const QSize& room, const QSize& frame);
   /// Layouts for three kinds of work: "author", "watch", "train".
   void arrange(const QString& layout);
-  /// Offers the unsaved work of windows that were not closed properly.
-  void offer_recovered();
+  /// Offers the unsaved work of windows that were not closed properly. Returns whether this window
+  /// continues it, and says so if it stands in the place of another world.
+  bool offer_recovered(const QString& instead_of = {});
   /// Asks the user about unsaved work. Tests replace this by an answer.
   enum class Answer { save, discard, cancel };
   std::function<Answer(const QString& question)> ask_about_unsaved;

@@ -136,6 +136,7 @@ void MainWindow::connect_workbench() {
   connect(&workbench_, &Workbench::catalog_changed, this, [this] {
     world_tree_->show_world();
     editor_->set_catalog(workbench_.catalog());
+    if (!statusBar()->currentMessage().isEmpty()) return;  // which says more
     say(tr("%1 plugins were found")
             .arg(workbench_.catalog().json().value("plugins", Json::array()).size()));
   });

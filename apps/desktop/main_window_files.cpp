@@ -107,6 +107,7 @@ void MainWindow::forget_world() {
   outcome_.clear();
   runs_->stop();
   time_line_->expect({}, 0.0);
+  time_line_->clear();
   scene_->unlock_all();
   authoring_->select({});
   plots_->set_names({});
@@ -255,7 +256,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   event->accept();
 }
 
-void MainWindow::offer_recovered() {
+bool MainWindow::offer_recovered(const QString& instead_of) {
   std::vector<Recovered> left = Recovery::left_behind();
   const auto damaged = std::stable_partition(
       left.begin(), left.end(), [](const Recovered& each) { return !each.is_damaged; });
@@ -282,12 +283,16 @@ void MainWindow::offer_recovered() {
       if (workbench_.is_kept() && has_sources) {
         Recovery::discard(each);
       }
-      return;
+      if (!instead_of.isEmpty()) {
+        say(tr("This window continues the unsaved work; '%1' is not opened.").arg(instead_of));
+      }
+      return true;
     }
     if (answer == QMessageBox::Discard) {
       Recovery::discard(each);
     }
   }
+  return false;
 }
 
 /// Opens the sources that were changed and not saved. Returns false if one is not there any more.

@@ -24,7 +24,13 @@ void MainWindow::write_behavior() {
 }
 
 void MainWindow::use_source(const QString& source, const QString& name) {
-  to_robots_[source] = {name, authoring_->robot()};
+  QString robot = authoring_->robot();
+  QStringList all;
+  for (const Stage::Body& body : scene_->stage().bodies()) {
+    if (body.is_robot()) all << body.path;
+  }
+  if (robot.isEmpty() && all.size() == 1) robot = all.front();
+  to_robots_[source] = {name, robot};
   workbench_.add_plugin(source, this, [](const Problems&) {});  // plugins_changed() comes, too
   open_source(source, 0);
   sources_->say(source, tr("The engine compiles and loads it..."));

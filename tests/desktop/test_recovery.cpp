@@ -1,6 +1,7 @@
 // Unsaved work outlives its window.
 #include <QPlainTextEdit>
 #include <QProcess>
+#include <QStatusBar>
 #include <csignal>
 #include <fstream>
 
@@ -54,7 +55,8 @@ TEST_CASE("Unsaved work that was left behind is offered, and a damaged one is sa
   write(damaged, "{\"file\": \"/tmp/x.xml\", \"te");
   Window window;
   at_dialog("recovered", press_yes);
-  window->offer_recovered();
+  CHECK(window->offer_recovered("maze.xml"));
+  CHECK(window->statusBar()->currentMessage().contains("'maze.xml' is not opened"));
   QString said;
   for (auto* box : window->findChildren<QMessageBox*>()) {
     said += box->text();

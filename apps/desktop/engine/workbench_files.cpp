@@ -48,6 +48,7 @@ void Workbench::open_text(const QString& text, const QString& file, bool is_save
   typed_.clear();
   keep();
   tree_ = scene_ = Json();
+  time_s_ = latest_s_ = 0.0;
   plugin_problems_.clear();
   watch_file();
   in_turn([this] { open_in_engine(text_); });

@@ -2983,6 +2983,10 @@ Trotzdem speichern?</translation>
         <source>The source &apos;%1&apos; is not there any more. Its unsaved text is in &apos;%2&apos;, and stays there.</source>
         <translation>Den Quelltext &apos;%1&apos; gibt es nicht mehr. Sein ungespeicherter Text ist in &apos;%2&apos; und bleibt dort.</translation>
     </message>
+    <message>
+        <source>This window continues the unsaved work; &apos;%1&apos; is not opened.</source>
+        <translation>Dieses Fenster setzt die ungesicherte Arbeit fort; &apos;%1&apos; wird nicht geöffnet.</translation>
+    </message>
 </context>
 <context>
     <name>elsie::desktop::NewBehaviorDialog</name>
