@@ -31,6 +31,7 @@ using recording::RecordedRun;
 
 constexpr double kHair_s = 1e-6;
 constexpr double kMostSamples = 20'000;
+constexpr double kLong_s = 1e9;  // longer than any run
 /// A folder that does not exist. Images of floors are not searched on the disk: what a page shows
 /// depends on the run alone.
 const std::filesystem::path kNowhere = "a database";
@@ -107,7 +108,7 @@ class Player {
     for (const StoredRobot& robot : stored.robots) {
       if (!has_poses(robot)) continue;
       robots_.push_back(&robot);
-      ways_.emplace_back(robot, stored.end_s, stored.events);
+      ways_.emplace_back(robot, stored.end_s < kLong_s ? stored.end_s : 0.0, stored.events);
       every_s = std::min(every_s, robot.period_s);
       end_s_ = std::max(end_s_, ways_.back().last_s());
     }
@@ -333,7 +334,6 @@ class Episodes final : public Layer {
 }  // namespace
 
 bool has_poses(const StoredRobot& robot) {
-  constexpr double kLong_s = 1e9;
   return robot.period_s > kHair_s && robot.period_s < kLong_s && std::abs(robot.from_s) < kLong_s &&
          std::any_of(robot.poses.begin(), robot.poses.end(), is_finite);
 }
