@@ -152,11 +152,12 @@ TEST_CASE("A source that is saved each time that it is compiled is given up with
 
 TEST_CASE("The compiler speaks English, whatever the user's language") {
   Folder here, cache;
-  write(here / "compiler", std::string_view("#!/bin/sh\necho \"$LC_ALL,$LC_MESSAGES\"; exit 1\n"));
+  write(here / "compiler",
+        std::string_view("#!/bin/sh\necho \"$LC_ALL,$LC_MESSAGES,$LC_CTYPE\"; exit 1\n"));
   std::filesystem::permissions(here / "compiler", std::filesystem::perms::owner_all);
   const Variable compiler("CXX", (here / "compiler").string()), all("LC_ALL", "de_DE.UTF-8");
   write_straight(here);
-  CHECK_THAT(refusal(here / "straight.cpp", cache.path()), Catch::StartsWith(",C\n"));
+  CHECK_THAT(refusal(here / "straight.cpp", cache.path()), Catch::StartsWith(",C,de_DE.UTF-8\n"));
 }
 
 TEST_CASE("What the compiler says is passed on, and the cache keeps nothing of it") {

@@ -136,6 +136,9 @@ class Compiler {
                       const std::stop_token& stop) const {
     // Its messages are in English, so that windows find the lines that they name.
     std::vector<std::string> command{"env", "-u", "LC_ALL", "LC_MESSAGES=C"};
+    if (const char* const all = std::getenv("LC_ALL")) {
+      command.push_back(std::string("LC_CTYPE=") + all);
+    }
     command.insert(command.end(), words_.begin(), words_.end());
     const auto version = process::run_process({words_.front(), "--version"});
     if (version && version->output.find("clang") == std::string::npos) {
