@@ -51,8 +51,8 @@ TEST_CASE("Menus: file, edit, view, simulation and help, each with what it names
   Window window;
   const QHash<QString, QStringList> named{
       {"File",
-       {"new", "open", "save", "save_as", "export_picture", "export_film", "record", "copy_command",
-        "quit"}},
+       {"new", "open", "save", "save_as", "export_picture", "export_film", "share", "record",
+        "copy_command", "quit"}},
       {"Edit", {"undo", "redo", "cut", "copy", "paste", "duplicate", "delete", "edit", "rename"}},
       {"View",
        {"view_all", "view_top", "follow", "measure", "show_trails", "show_sketches",

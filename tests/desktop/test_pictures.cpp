@@ -15,6 +15,7 @@
 #include "control_bar.h"
 #include "engine/recovery.h"
 #include "export/exporter.h"
+#include "export/sharer.h"
 #include "hands.h"
 #include "inferring.h"
 #include "paint/figures.h"
@@ -417,6 +418,10 @@ TEST_CASE("Pictures: the end of a run, a robot that is stuck, and a behaviour th
     keep_modal(QString("dialog_") + action, [](QDialog* modal) { modal->reject(); });
     window.act(action);
   }
+  window->findChild<Sharer*>()->write(window.folder() + "/steady.html", nullptr);
+  auto* shared = window.dialog("page_written");
+  keep(*shared, "dialog_page_written");
+  shared->close();
   window.choose("robot[r1]/behavior[steady]");
   window.act("tutorial");
   keep(*window.dialog("help_window"), "help");

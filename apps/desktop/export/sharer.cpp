@@ -164,7 +164,7 @@ void Sharer::show_page() {
   const double size = static_cast<double>(QFileInfo(file_).size()) / kMegabyte;
   auto* box = new QMessageBox(
       QMessageBox::Information, tr("The page is written"),
-      tr("'%1' has %2 MB. It plays the run in any browser, without Elsie and without a network.")
+      tr("'%1' takes %2 MB. It plays the run in any browser, without Elsie and without a network.")
           .arg(file_)
           .arg(size, 0, 'f', 2),
       QMessageBox::Close, window_);

@@ -3502,8 +3502,8 @@ Trotzdem speichern?</translation>
         <translation>Die Seite ist geschrieben</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; has %2 MB. It plays the run in any browser, without Elsie and without a network.</source>
-        <translation>&apos;%1&apos; hat %2 MB. Die Seite spielt den Lauf in jedem Browser, ohne Elsie und ohne Netz.</translation>
+        <source>&apos;%1&apos; takes %2 MB. It plays the run in any browser, without Elsie and without a network.</source>
+        <translation>&apos;%1&apos; braucht %2 MB. Die Seite spielt den Lauf in jedem Browser, ohne Elsie und ohne Netz.</translation>
     </message>
     <message>
         <source>&amp;Open in the browser</source>
