@@ -56,7 +56,8 @@ Scene with_box() {
 
 TEST_CASE("A box throws a shadow on the floor, away from the light") {
   // The light comes from the south-west.
-  for (const auto& [shadows, passes] : {std::pair{Shadows::hard, 1}, {Shadows::soft, 16}}) {
+  for (const auto& [shadows, passes] :
+       {std::pair{Shadows::hard, 1}, {Shadows::sun, 4}, {Shadows::soft, 16}}) {
     CAPTURE(passes);
     const Developed picture = develop(with_box(), from_above(), shadows, passes);
     CHECK(picture.of(0.33, 0.3).red < 0.8 * kPaper.red);
@@ -80,9 +81,35 @@ TEST_CASE(
   CHECK(shades(Shadows::soft, 32) > 2 * shades(Shadows::hard, 1));
 
   scene.balls = {{{0.3, 0.1, 0.1}, 0.1, kBlue}};
-  const int in_shadow = develop(scene, from_above(), Shadows::soft, 8).of(0.3, 0.1).blue;
-  scene.boxes.clear();
-  CHECK(in_shadow < develop(scene, from_above(), Shadows::soft, 8).of(0.3, 0.1).blue - 20);
+  Scene alone = scene;
+  alone.boxes.clear();
+  for (const Shadows shadows : {Shadows::sun, Shadows::soft}) {
+    const auto blue = [&](const Scene& of) {
+      return develop(of, from_above(), shadows, 8).of(0.3, 0.1).blue;
+    };
+    CHECK(blue(scene) < blue(alone) - 20);
+  }
+}
+
+TEST_CASE("The shadow in a picture of any size has the edge that it has in a large one") {
+  Scene scene = with_box();
+  scene.boxes[0].size.z = 1.0;
+  const auto share_in_shadow = [&](int size, Shadows shadows) {
+    View view = from_above();
+    view.camera.width = view.camera.height = size;
+    const Developed picture = develop(scene, view, shadows, 4);
+    const auto dark = std::count_if(
+        picture.pixels.begin(), picture.pixels.end(),
+        [](std::uint32_t pixel) { return pixel >> 24U == 255 && (pixel & 255U) < 170; });
+    return static_cast<double>(dark) / (size * size);
+  };
+  for (const Shadows shadows : {Shadows::sun, Shadows::soft}) {
+    const double large = share_in_shadow(1000, shadows);
+    CHECK(large > 0.01);
+    for (const int size : {60, 300}) {
+      CHECK(share_in_shadow(size, shadows) == Approx(large).epsilon(0.25));
+    }
+  }
 }
 
 TEST_CASE("The ground in a corner is darker than in the open, on the sunny side, too") {
@@ -91,7 +118,8 @@ TEST_CASE("The ground in a corner is darker than in the open, on the sunny side,
   for (const Vector3& at : {Vector3{-1.0, 1.0, 0.0}, {1.0, -1.0, 0.0}}) {
     scene.boxes.push_back(cube(at + Vector3{0, 0, 0.3}, 0.6, kRed));
   }
-  for (const auto& [shadows, passes] : {std::pair{Shadows::hard, 1}, {Shadows::soft, 32}}) {
+  for (const auto& [shadows, passes] :
+       {std::pair{Shadows::hard, 1}, {Shadows::sun, 4}, {Shadows::soft, 32}}) {
     const Developed picture = develop(scene, from_above(), shadows, passes);
     CHECK(picture.of(-1.41, 0.9).red + 8 < picture.of(-1.85, 0.9).red);
   }

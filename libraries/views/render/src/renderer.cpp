@@ -77,7 +77,8 @@ class Renderer::Impl {
     const Camera& camera = show_painter_.value().camera();
     if (exposure.passes() == 0) exposure.begin(camera.width, camera.height);
     const EglContext::Current current(context_);
-    make_room(camera.width, camera.height);
+    // Mesa's software clears a whole framebuffer at once, but draws a rectangle to clear a part.
+    if (camera.width != width_ || camera.height != height_) resize(camera.width, camera.height);
     show_painter_->paint(framebuffer_, shadows, exposure.passes());
     read(camera.width, camera.height, exposure.next());
     exposure.add();
@@ -110,11 +111,14 @@ class Renderer::Impl {
 
   /// Makes the framebuffer at least this large.
   void make_room(int width, int height) {
-    if (width <= width_ && height <= height_) {
-      return;
+    if (width > width_ || height > height_) {
+      resize(std::max(width, width_), std::max(height, height_));
     }
-    width_ = std::max(width, width_);
-    height_ = std::max(height, height_);
+  }
+
+  void resize(int width, int height) {
+    width_ = width;
+    height_ = height;
     while (glGetError() != GL_NO_ERROR) {
     }
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);

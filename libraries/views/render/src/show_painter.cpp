@@ -1,10 +1,11 @@
 #include "show_painter.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <string>
+#include <utility>
 
 #include "elsie/render/renderer.h"
 
@@ -15,55 +16,12 @@
 namespace elsie::render {
 namespace {
 
-constexpr int kSunMap = 1024, kDomeMap = 512;  // px, of an edge of a map of shadows
-
-// Behind the viewer's left shoulder if she looks north, so that what she sees of things is lit.
-const Vector3 kSunDirection = [] {
-  const Vector3 direction{-0.42, -0.36, 0.83};
-  return (1.0 / std::sqrt(dot(direction, direction))) * direction;
-}();
-constexpr double kSunRadius = 0.07;  // rad, large enough for soft shadows
-
-/// Numbers in [0, 1)^2 that fill the square evenly, however many are taken (Roberts 2018, R2).
-Vector2 spread(int index, double shift = 0.5) {
-  const auto part = [&](double step) {
-    const double at = shift + step * index;
-    return at - std::floor(at);
-  };
-  return {part(0.7548776662466927), part(0.5698402909980532)};
-}
-
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-Vector3 unit(const Vector3& v) { return (1.0 / std::sqrt(dot(v, v))) * v; }
-
-struct Axes {
-  Vector3 across, aside;
-};
-Axes axes_around(const Vector3& direction) {
-  const Vector3 across =
-      unit(cross(std::abs(direction.z) < 0.9 ? Vector3{0, 0, 1} : Vector3{1, 0, 0}, direction));
-  return {across, cross(direction, across)};
-}
-
-/// A point of the sun's disc.
-Vector3 sun_at(int pass) {
-  if (pass == 0) return kSunDirection;
-  const Vector2 at = spread(pass);
-  const double away = kSunRadius * std::sqrt(at.x), round = 2.0 * std::numbers::pi * at.y;
-  const Axes axes = axes_around(kSunDirection);
-  return unit(kSunDirection + away * std::cos(round) * axes.across +
-              away * std::sin(round) * axes.aside);
-}
-
-/// A direction of the sky, as often as a level face gets light from there.
-Vector3 dome_at(int pass) {
-  const Vector2 at = spread(pass, 0.31);
-  const double up = std::sqrt(1.0 - 0.85 * at.x), round = 2.0 * std::numbers::pi * at.y;
-  const double aside = std::sqrt(1.0 - up * up);
-  return {aside * std::cos(round), aside * std::sin(round), up};
+/// Pixels of an edge of the sun's map of shadows: about as many as the picture has. That of the
+/// sky, which has no sharp shadows, has half of them.
+int map_size(const Camera& camera) {
+  const int edge = std::max(camera.width, camera.height);
+  return static_cast<int>(
+      std::bit_ceil(static_cast<unsigned>(std::clamp(edge * 4 / 5, 256, 2048))));
 }
 
 GLint at(GLuint program, const char* name) { return glGetUniformLocation(program, name); }
@@ -88,22 +46,29 @@ std::string shader(const std::string& body, const std::string& defines = {}) {
 
 }  // namespace
 
-ShowPainter::ShowPainter() {
-  const auto lit = [](const std::string& how) {
-    const auto with = [&](const char* fragments, const char* what) {
-      const bool is_shaded = how.empty() && fragments == kSolidFragments;
-      return link(shader(std::string(kShares) + kBodyVertices, is_shaded ? "#define SHADED\n" : ""),
-                  shader(std::string(kShares) + kLightMaps + fragments, how + what));
-    };
-    return Shaders{with(kFloorFragments, "#define ARENA\n"),
-                   with(kFloorFragments, "#define AROUND\n"),
-                   with(kFloorFragments, "#define IMAGE\n"),
-                   {with(kSolidFragments, ""), with(kSolidFragments, "#define WALL\n"),
-                    with(kSolidFragments, "#define WHEEL\n"),
-                    link(shader(kBodyVertices), shader(kGlowingFragments))}};
+ShowPainter::Shaders ShowPainter::make_shaders(const std::string& how) {
+  const auto with = [&](const char* fragments, const char* what) {
+    const bool is_shaded = how.empty() && fragments == kSolidFragments;
+    return link(shader(std::string(kShares) + kBodyVertices, is_shaded ? "#define SHADED\n" : ""),
+                shader(std::string(kShares) + kLightMaps + fragments, how + what));
   };
-  plain_ = lit("");
-  mapped_ = lit("#define MAPPED\n");
+  return {with(kFloorFragments, "#define ARENA\n"),
+          with(kFloorFragments, "#define AROUND\n"),
+          with(kFloorFragments, "#define IMAGE\n"),
+          {with(kSolidFragments, ""), with(kSolidFragments, "#define WALL\n"),
+           with(kSolidFragments, "#define WHEEL\n"),
+           link(shader(kBodyVertices), shader(kGlowingFragments))}};
+}
+
+const ShowPainter::Shaders& ShowPainter::shaders_for(Shadows shadows) {
+  if (shadows < Shadows::sun) return plain_;
+  if (shadows == Shadows::soft) return mapped_;
+  if (!sunny_) sunny_ = make_shaders("#define MAPPED\n");
+  return *sunny_;
+}
+
+ShowPainter::ShowPainter()
+    : plain_(make_shaders("")), mapped_(make_shaders("#define MAPPED\n#define DOMED\n")) {
   depth_ = link(shader(kBodyVertices, "#define DEPTH\n"), shader(kDepthFragments));
   shadow_ =
       link(shader(kBodyVertices, "#define DEPTH\n#define FLATTENED\n"), shader(kFlatFragments));
@@ -113,133 +78,34 @@ ShowPainter::ShowPainter() {
   halo_ = link(shader(kGlowVertices), shader(kHaloFragments));
   pool_ = link(shader(kGlowVertices), shader(kPoolFragments));
 
-  constexpr float kCorners[] = {-1, -1, -1, 1, 1, -1, 1, 1};
-  glGenBuffers(1, &corner_buffer_);
-  glBindBuffer(GL_ARRAY_BUFFER, corner_buffer_);
-  glBufferData(GL_ARRAY_BUFFER, sizeof(kCorners), kCorners, GL_STATIC_DRAW);
   const std::array<SmoothMesh, kMeshes> all = smooth_meshes();
   for (std::size_t i = 0; i < kBox; ++i) flat_[i] = make_mesh(all[i]);
   around_ = make_mesh(all[kSquare]);
+  beyond_ = make_mesh(all[kSquare]);
   near_walls_ = make_mesh(all[kBox]);
   for (auto& batches : solids_) {
     for (std::size_t i = kBox; i < kMeshes; ++i) batches[i] = make_mesh(all[i]);
   }
-  const Attribute contact[] = {{first, 2, GL_FLOAT, offsetof(ShownContact, middle)},
-                               {second, 2, GL_FLOAT, offsetof(ShownContact, forward)},
-                               {third, 2, GL_FLOAT, offsetof(ShownContact, half)},
-                               {fourth, 3, GL_FLOAT, offsetof(ShownContact, rounding)}};
+  const Attribute contact[] = {{slot::kFirst, 2, GL_FLOAT, offsetof(ShownContact, middle)},
+                               {slot::kSecond, 2, GL_FLOAT, offsetof(ShownContact, forward)},
+                               {slot::kThird, 2, GL_FLOAT, offsetof(ShownContact, half)},
+                               {slot::kFourth, 3, GL_FLOAT, offsetof(ShownContact, rounding)}};
   contacts_ = make_strip(contact, sizeof(ShownContact));
-  const Attribute stroke[] = {{first, 3, GL_FLOAT, offsetof(ShownStroke, from)},
-                              {second, 3, GL_FLOAT, offsetof(ShownStroke, to)},
-                              {third, 4, GL_UNSIGNED_BYTE, offsetof(ShownStroke, colour), GL_TRUE},
-                              {fourth, 2, GL_FLOAT, offsetof(ShownStroke, width)}};
+  const Attribute stroke[] = {
+      {slot::kFirst, 3, GL_FLOAT, offsetof(ShownStroke, from)},
+      {slot::kSecond, 3, GL_FLOAT, offsetof(ShownStroke, to)},
+      {slot::kThird, 4, GL_UNSIGNED_BYTE, offsetof(ShownStroke, colour), GL_TRUE},
+      {slot::kFourth, 2, GL_FLOAT, offsetof(ShownStroke, width)}};
   drawing_ = make_strip(stroke, sizeof(ShownStroke));
   strokes_ = make_strip(stroke, sizeof(ShownStroke));
-  const Attribute glow[] = {{first, 3, GL_FLOAT, offsetof(ShownGlow, middle)},
-                            {second, 1, GL_FLOAT, offsetof(ShownGlow, radius)},
-                            {third, 4, GL_UNSIGNED_BYTE, offsetof(ShownGlow, colour), GL_TRUE}};
+  const Attribute glow[] = {
+      {slot::kFirst, 3, GL_FLOAT, offsetof(ShownGlow, middle)},
+      {slot::kSecond, 1, GL_FLOAT, offsetof(ShownGlow, radius)},
+      {slot::kThird, 4, GL_UNSIGNED_BYTE, offsetof(ShownGlow, colour), GL_TRUE}};
   halos_ = make_strip(glow, sizeof(ShownGlow));
   pools_ = make_strip(glow, sizeof(ShownGlow));
   sky_strip_ = make_strip({}, 0);
   sky_strip_.instances = 1;
-  sun_map_ = make_map(kSunMap);
-  dome_map_ = make_map(kDomeMap);
-}
-
-ShowPainter::Map ShowPainter::make_map(int size) {
-  Map map{0, 0, size};
-  glGenTextures(1, &map.texture);
-  glBindTexture(GL_TEXTURE_2D, map.texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size, size, 0, GL_DEPTH_COMPONENT,
-               GL_UNSIGNED_INT, nullptr);
-  for (const auto& [name, value] : {std::pair{GL_TEXTURE_MIN_FILTER, GL_LINEAR},
-                                    {GL_TEXTURE_MAG_FILTER, GL_LINEAR},
-                                    {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER},
-                                    {GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER},
-                                    {GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE},
-                                    {GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL}}) {
-    glTexParameteri(GL_TEXTURE_2D, static_cast<GLenum>(name), value);
-  }
-  constexpr float kOpen[] = {1.0F, 1.0F, 1.0F, 1.0F};
-  glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, kOpen);
-  glGenFramebuffers(1, &map.framebuffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, map.framebuffer);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map.texture, 0);
-  glDrawBuffer(GL_NONE);
-  glReadBuffer(GL_NONE);
-  return map;
-}
-
-void ShowPainter::enable(std::span<const Attribute> attributes, std::size_t stride,
-                         GLuint divisor) {
-  for (const Attribute& each : attributes) {
-    glEnableVertexAttribArray(each.location);
-    glVertexAttribPointer(each.location, each.size, each.type, each.is_part,
-                          static_cast<GLsizei>(stride), offset(each.at));
-    glVertexAttribDivisor(each.location, divisor);
-  }
-}
-
-ShowPainter::Batch ShowPainter::make_mesh(const SmoothMesh& mesh) {
-  Batch batch;
-  batch.indices = batch.drawn = static_cast<GLsizei>(mesh.indices.size());
-  glGenVertexArrays(1, &batch.array);
-  glBindVertexArray(batch.array);
-  GLuint buffers[2];
-  glGenBuffers(2, buffers);
-  glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
-  glBufferData(GL_ARRAY_BUFFER,
-               static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(SmoothVertex)),
-               mesh.vertices.data(), GL_STATIC_DRAW);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-               static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(mesh.indices[0])),
-               mesh.indices.data(), GL_STATIC_DRAW);
-  const Attribute corner[] = {{position, 3, GL_FLOAT, offsetof(SmoothVertex, position)},
-                              {normal, 3, GL_FLOAT, offsetof(SmoothVertex, normal)},
-                              {inset, 3, GL_FLOAT, offsetof(SmoothVertex, inset)}};
-  enable(corner, sizeof(SmoothVertex), 0);
-  glGenBuffers(1, &batch.buffer);
-  glBindBuffer(GL_ARRAY_BUFFER, batch.buffer);
-  const Attribute body[] = {{first, 4, GL_FLOAT, offsetof(ShownBody, x)},
-                            {second, 4, GL_FLOAT, offsetof(ShownBody, y)},
-                            {third, 4, GL_FLOAT, offsetof(ShownBody, z)},
-                            {fourth, 4, GL_UNSIGNED_BYTE, offsetof(ShownBody, colour)},
-                            {fifth, 3, GL_FLOAT, offsetof(ShownBody, bevel)}};
-  enable(body, sizeof(ShownBody), 1);
-  return batch;
-}
-
-ShowPainter::Batch ShowPainter::make_strip(std::span<const Attribute> attributes,
-                                           std::size_t stride) const {
-  Batch batch;
-  glGenVertexArrays(1, &batch.array);
-  glBindVertexArray(batch.array);
-  glBindBuffer(GL_ARRAY_BUFFER, corner_buffer_);
-  glEnableVertexAttribArray(position);
-  glVertexAttribPointer(position, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-  glGenBuffers(1, &batch.buffer);
-  glBindBuffer(GL_ARRAY_BUFFER, batch.buffer);
-  enable(attributes, stride, 1);
-  return batch;
-}
-
-template <class Item>
-void ShowPainter::upload(Batch& batch, const std::vector<Item>& items) {
-  batch.instances = static_cast<GLsizei>(items.size());
-  glBindBuffer(GL_ARRAY_BUFFER, batch.buffer);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(items.size() * sizeof(Item)), items.data(),
-               GL_STREAM_DRAW);
-}
-
-void ShowPainter::draw(const Batch& batch) {
-  if (batch.instances == 0) return;
-  glBindVertexArray(batch.array);
-  if (batch.indices > 0) {
-    glDrawElementsInstanced(GL_TRIANGLES, batch.drawn, GL_UNSIGNED_SHORT, nullptr, batch.instances);
-  } else {
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, batch.instances);
-  }
 }
 
 void ShowPainter::draw_solids() const {
@@ -255,6 +121,7 @@ void ShowPainter::compose(const Scene& scene, const View& view, const Style& sty
   const ShownList list = list_shown(scene, view, style);
   for (std::size_t i = 0; i < kBox; ++i) upload(flat_[i], list.flat[i]);
   upload(around_, list.around);
+  upload(beyond_, list.beyond);
   upload(near_walls_, list.near_walls);
   for (std::size_t material = 0; material < kMaterials; ++material) {
     for (std::size_t i = kBox; i < kMeshes; ++i) {
@@ -273,6 +140,8 @@ void ShowPainter::compose(const Scene& scene, const View& view, const Style& sty
   // Nothing is nearer than the highest thing below the camera.
   near_ = std::max(kNearest, 0.5 * (view.frame.origin.z - list.tallest));
   find_room(list.tallest);
+  sun_map_.resize(map_size(view.camera));
+  dome_map_.resize(sun_map_.size() / 2);
 }
 
 /// The part of the arena that is in the picture, in which shadows are seen.
@@ -293,12 +162,11 @@ void ShowPainter::find_room(double tallest) {
       low.y = std::min(low.y, y), high.y = std::max(high.y, y);
     }
   }
-  low_ = low - eye.origin;
-  high_ = high - eye.origin;
+  room_ = {low - eye.origin, high - eye.origin};
 }
 
 /// By columns: x and y of OpenGL down and to the right, moved by part of a pixel.
-ShowPainter::Matrix ShowPainter::camera_matrix(int pass) const {
+Matrix ShowPainter::camera_matrix(int pass) const {
   const Frame& eye = view_.frame;
   Vector2 shift;
   if (pass > 0) {
@@ -314,45 +182,12 @@ ShowPainter::Matrix ShowPainter::camera_matrix(int pass) const {
           0,         0,         part(-2.0 * near_), 0};
 }
 
-/// Maps the room to a cube, seen from a light.
-ShowPainter::Matrix ShowPainter::light_matrix(const Vector3& direction) const {
-  const auto [across, aside] = axes_around(direction);
-  const Vector3 rows[] = {across, aside, -1.0 * direction};
-  Matrix matrix{};
-  matrix[15] = 1.0F;
-  for (int row = 0; row < 3; ++row) {
-    double least = 1e300, most = -1e300;
-    for (int corner = 0; corner < 8; ++corner) {
-      const Vector3 at{corner & 1 ? high_.x : low_.x, corner & 2 ? high_.y : low_.y,
-                       corner & 4 ? high_.z : low_.z};
-      least = std::min(least, dot(rows[row], at));
-      most = std::max(most, dot(rows[row], at));
-    }
-    const double scale = 1.98 / std::max(1e-3, most - least), middle = 0.5 * (least + most);
-    matrix[static_cast<std::size_t>(row)] = static_cast<float>(scale * rows[row].x);
-    matrix[static_cast<std::size_t>(row) + 4] = static_cast<float>(scale * rows[row].y);
-    matrix[static_cast<std::size_t>(row) + 8] = static_cast<float>(scale * rows[row].z);
-    matrix[static_cast<std::size_t>(row) + 12] = static_cast<float>(-scale * middle);
-  }
-  return matrix;
-}
-
-void ShowPainter::draw_map(const Map& map, const Matrix& matrix) const {
-  glBindFramebuffer(GL_FRAMEBUFFER, map.framebuffer);
-  glViewport(0, 0, map.size, map.size);
-  glScissor(0, 0, map.size, map.size);
-  glDepthMask(GL_TRUE);
-  glEnable(GL_DEPTH_TEST);
-  glEnable(GL_DEPTH_CLAMP);
-  glDisable(GL_CULL_FACE);
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(1.5F, 4.0F);
-  glClear(GL_DEPTH_BUFFER_BIT);
+void ShowPainter::draw_map(const ShadowMap& map, const Matrix& matrix) const {
+  map.begin();
   glUseProgram(depth_);
   glUniformMatrix4fv(at(depth_, "camera"), 1, GL_FALSE, matrix.data());
   draw_solids();
-  glDisable(GL_POLYGON_OFFSET_FILL);
-  glDisable(GL_DEPTH_CLAMP);
+  ShadowMap::end();
 }
 
 void ShowPainter::use(GLuint program, const Matrix& camera) const {
@@ -366,18 +201,10 @@ void ShowPainter::use(GLuint program, const Matrix& camera) const {
 void ShowPainter::light(GLuint program, const Lights& lights) const {
   set(program, "sun", lights.sun_direction);
   set(program, "dome", lights.dome_direction);
-  const double widest = std::max({high_.x - low_.x, high_.y - low_.y, high_.z - low_.z});
-  set(program, "sun_lift", 2.0 * widest / kSunMap);
-  set(program, "dome_lift", 2.0 * widest / kDomeMap);
-  // From -1 to 1 to the part of a texture.
-  const auto as_texture = [](Matrix matrix) {
-    for (std::size_t column = 0; column < 4; ++column) {
-      for (std::size_t row = 0; row < 3; ++row) {
-        matrix[4 * column + row] = 0.5F * matrix[4 * column + row] + 0.5F * matrix[4 * column + 3];
-      }
-    }
-    return matrix;
-  };
+  const double lift = 2.0 * room_.widest();  // of two pixels of a map
+  set(program, "sun_lift", lift / sun_map_.size());
+  set(program, "dome_lift", lift / dome_map_.size());
+  set(program, "dome_blur", 2.0 / dome_map_.size());
   glUniformMatrix4fv(at(program, "sun_matrix"), 1, GL_FALSE, as_texture(lights.sun).data());
   glUniformMatrix4fv(at(program, "dome_matrix"), 1, GL_FALSE, as_texture(lights.dome).data());
   glUniform1i(at(program, "sun_map"), 1);
@@ -392,30 +219,30 @@ void ShowPainter::paint(GLuint framebuffer, Shadows shadows, int pass) {
   glDisable(GL_DITHER);
   glDisable(GL_MULTISAMPLE);
   glDisable(GL_STENCIL_TEST);
-  glFrontFace(GL_CW);  // the framebuffer's bottom row is the first row of a picture
   for (GLenum i = 0; i < 4; ++i) glDisable(GL_CLIP_DISTANCE0 + i);
   glDepthFunc(GL_LESS);
   glClearDepth(1.0);
 
   Lights lights{sun_at(pass), dome_at(pass), {}, {}};
-  if (shadows == Shadows::soft) {
-    lights.sun = light_matrix(lights.sun_direction);
-    lights.dome = light_matrix(lights.dome_direction);
+  if (shadows >= Shadows::sun) {
+    lights.sun = light_matrix(room_, lights.sun_direction);
     draw_map(sun_map_, lights.sun);
-    draw_map(dome_map_, lights.dome);
-    glActiveTexture(GL_TEXTURE1);
-    glBindTexture(GL_TEXTURE_2D, sun_map_.texture);
-    glActiveTexture(GL_TEXTURE2);
-    glBindTexture(GL_TEXTURE_2D, dome_map_.texture);
+    sun_map_.bind(GL_TEXTURE1);
   } else {
     lights.sun_direction = kSunDirection;
   }
-  const Shaders& with = shadows == Shadows::soft ? mapped_ : plain_;
+  if (shadows == Shadows::soft) {
+    lights.dome = light_matrix(room_, lights.dome_direction);
+    draw_map(dome_map_, lights.dome);
+    dome_map_.bind(GL_TEXTURE2);
+  }
+  const Shaders& with = shaders_for(shadows);
 
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, width, height);
   glScissor(0, 0, width, height);
   glEnable(GL_CULL_FACE);
+  glFrontFace(GL_CW);  // the framebuffer's bottom row is the first row of a picture
   glDepthMask(GL_TRUE);
   glClearStencil(0);
   glClearColor(static_cast<float>(style_.horizon.red) / 255.0F,
@@ -426,8 +253,10 @@ void ShowPainter::paint(GLuint framebuffer, Shadows shadows, int pass) {
   draw_sky();
   const Matrix camera = camera_matrix(pass);
   draw_floor(camera, with, lights);
+  if (shadows == Shadows::hard || shadows == Shadows::sun) draw_contacts(camera);
   if (shadows == Shadows::hard) draw_hard_shadows(camera);
 
+  glEnable(GL_CULL_FACE);
   glEnable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   for (std::size_t material = 0; material < kMaterials; ++material) {
@@ -492,11 +321,14 @@ void ShowPainter::draw_floor(const Matrix& camera, const Shaders& with, const Li
     light(program, lights);
   };
   glEnable(GL_CULL_FACE);
-  prepare(with.around);
-  set(with.around, "outside", style_.outside);
-  set(with.around, "horizon", style_.horizon);
-  set(with.around, "reach", std::max(0.1, 0.5 * std::hypot(style_.arena.x, style_.arena.y)));
-  draw(around_);
+  for (const auto& [program, outside] :
+       {std::pair{with.around, &around_}, {plain_.around, &beyond_}}) {
+    prepare(program);
+    set(program, "outside", style_.outside);
+    set(program, "horizon", style_.horizon);
+    set(program, "reach", std::max(0.1, 0.5 * std::hypot(style_.arena.x, style_.arena.y)));
+    draw(*outside);
+  }
   prepare(with.floor);
   draw(flat_[kSquare]);
   if (flat_[kImage].instances > 0) {
@@ -524,11 +356,15 @@ void ShowPainter::draw_floor(const Matrix& camera, const Shaders& with, const Li
   draw(drawing_);
 }
 
-/// The ground around things, then all things but wheels, which are below others, flattened along
-/// the sun's light. Where several shadows meet, only one is drawn.
-void ShowPainter::draw_hard_shadows(const Matrix& camera) const {
+/// The ground around things.
+void ShowPainter::draw_contacts(const Matrix& camera) const {
   use(contact_, camera);
   draw(contacts_);
+}
+
+/// All things but wheels, which are below others, flattened along the sun's light. Where several
+/// shadows meet, only one is drawn.
+void ShowPainter::draw_hard_shadows(const Matrix& camera) const {
   glEnable(GL_STENCIL_TEST);
   glStencilFunc(GL_EQUAL, 0, 0xFF);
   glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
@@ -539,7 +375,6 @@ void ShowPainter::draw_hard_shadows(const Matrix& camera) const {
     for (const Batch& batch : solids_[index_of(material)]) draw(batch);
   }
   glDisable(GL_STENCIL_TEST);
-  glEnable(GL_CULL_FACE);
 }
 
 /// What is behind something is drawn, too, but fainter.

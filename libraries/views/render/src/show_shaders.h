@@ -66,17 +66,22 @@ const float kSun = 0.42, kSky = 0.58;
 inline constexpr const char* kLightMaps = R"(
 uniform vec3 sun;
 #ifdef MAPPED
-uniform sampler2DShadow sun_map, dome_map;
-uniform mat4 sun_matrix, dome_matrix;
-uniform vec3 dome;
-uniform float sun_lift, dome_lift;
+uniform sampler2DShadow sun_map;
+uniform mat4 sun_matrix;
+uniform float sun_lift;
 float open_to_sun(vec3 at) {
   return texture(sun_map, (sun_matrix * vec4(at, 1.0)).xyz);
 }
+#endif
+#ifdef DOMED
+uniform sampler2DShadow dome_map;
+uniform mat4 dome_matrix;
+uniform vec3 dome;
+uniform float dome_lift, dome_blur;
 // Blurred: as each pass has one direction of the sky, its shadows would have hard edges.
 float open_to_dome(vec3 at) {
   vec3 place = (dome_matrix * vec4(at, 1.0)).xyz;
-  const float away = 2.0 / 512.0;
+  float away = dome_blur;
   return 0.25 * (texture(dome_map, place + vec3(away, 0.4 * away, 0.0)) +
                  texture(dome_map, place + vec3(-0.4 * away, away, 0.0)) +
                  texture(dome_map, place + vec3(-away, -0.4 * away, 0.0)) +
@@ -103,8 +108,10 @@ void main() {
 #else
   vec3 colour = surface;
 #endif
-#ifdef MAPPED
+#if defined(DOMED)
   colour *= kSun * open_to_sun(place) + kSky * open_to_dome(place);
+#elif defined(MAPPED)
+  colour *= kSun * open_to_sun(place) + kSky;
 #endif
   pixel = vec4(colour, 1.0);
 }
@@ -141,6 +148,8 @@ vec3 material(vec3 normal) {
   return surface;
 #endif
 }
+// Darker near the floor.
+float at_foot() { return max(0.0, 1.0 - (place.z + eye.z) / 0.08); }
 #ifdef MAPPED
 void main() {
   vec3 normal = normalize(outwards);
@@ -148,17 +157,19 @@ void main() {
   float direct = dot(normal, sun);
   float open = 1.0, sky = mix(0.74, 1.0, up);
   if (direct > 0.0) open = open_to_sun(place + sun_lift * normal);
+#ifdef DOMED
   if (dot(normal, dome) > 0.05) sky *= open_to_dome(place + dome_lift * normal);
+#else
+  sky *= 1.0 - 0.35 * (1.0 - up) * at_foot();
+#endif
   float light = kSky * sky + kSun * open * min(max(direct, 0.0) / sun.z, 1.15);
   float shine = pow(max(0.0, dot(normal, normalize(sun - normalize(place)))), 32.0);
   pixel = vec4(material(normal) * light + 0.2 * open * shine, 0.0);
 }
 #else
 in vec2 light;
-// Darker near the floor.
 void main() {
-  float foot = light.y * max(0.0, 1.0 - (place.z + eye.z) / 0.08);
-  pixel = vec4(material(outwards) * (light.x * (1.0 - foot)), 0.0);
+  pixel = vec4(material(outwards) * (light.x * (1.0 - light.y * at_foot())), 0.0);
 }
 #endif
 )";

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bodies.h"
+#include "lights.h"
 
 namespace elsie::render {
 namespace {
@@ -143,8 +144,8 @@ ShownGlow glow(const Vector3& middle, double radius, const Colour& colour, doubl
   return made;
 }
 
-/// The arena, and the four parts of the floor around it, which do not overlap: filling pixels is
-/// what costs most without a graphics card.
+/// The arena, and the floor around it and beyond that in parts which do not overlap: filling pixels
+/// is what costs most without a graphics card.
 void list_floor(const Colour& colour, const Style& style, const Vector3& eye, ShownList& list) {
   const double x = 0.5 * style.arena.x, y = 0.5 * style.arena.y;
   const auto rectangle = [&](double west, double east, double south, double north) {
@@ -154,10 +155,16 @@ void list_floor(const Colour& colour, const Style& style, const Vector3& eye, Sh
                   {0.0, 0.0, 1.0}},
                  {colour}, eye);
   };
-  list.flat[kSquare] = {rectangle(-x, x, -y, y)};
+  const auto frame = [&](double x_in, double y_in, double x_out, double y_out) {
+    return std::vector<ShownBody>{
+        rectangle(-x_out, x_out, y_in, y_out), rectangle(-x_out, x_out, -y_out, -y_in),
+        rectangle(x_in, x_out, -y_in, y_in), rectangle(-x_out, -x_in, -y_in, y_in)};
+  };
+  list.flat[kSquare].insert(list.flat[kSquare].begin(), rectangle(-x, x, -y, y));
   const double far = kFarFloor + std::max({x, y, std::abs(eye.x), std::abs(eye.y)});
-  list.around = {rectangle(-far, far, y, far), rectangle(-far, far, -far, -y),
-                 rectangle(x, far, -y, y), rectangle(-far, -x, -y, y)};
+  const double reach = std::min(far, kLongestShadow * list.tallest);
+  list.around = frame(x, y, x + reach, y + reach);
+  list.beyond = frame(x + reach, y + reach, x + far, y + far);
 }
 
 /// White light would not be seen on a bright floor.
@@ -176,7 +183,6 @@ Colour warm(const Colour& light) {
 ShownList list_shown(const Scene& scene, const View& view, const Style& style) {
   ShownList list;
   const Vector3& eye = view.frame.origin;
-  list_floor(scene.floor, style, eye, list);
   constexpr std::size_t kManyBoxes = 3000;
   list.is_bevelled = scene.boxes.size() < kManyBoxes;
   const double bevel = list.is_bevelled ? kBevel : 0.0;
@@ -196,6 +202,7 @@ ShownList list_shown(const Scene& scene, const View& view, const Style& style) {
             mesh < kBox ? list.flat[mesh] : list.solids[index_of(surface.material)][mesh];
         bodies.push_back(shown(body, surface, eye, bevel));
       });
+  list_floor(scene.floor, style, eye, list);
   list_contacts(scene, view, style, {eye, list.contacts});
   list_strokes(scene.drawing, eye, list.drawing);
   list_strokes(scene.strokes, eye, list.strokes);

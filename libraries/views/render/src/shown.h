@@ -47,7 +47,8 @@ struct ShownGlow {
 
 struct ShownList {
   std::array<std::vector<ShownBody>, kBox> flat;  // on the floor
-  std::vector<ShownBody> around;                  // the floor beyond the arena
+  std::vector<ShownBody> around;                  // the floor outside the arena, with shadows
+  std::vector<ShownBody> beyond;                  // and where none falls
   std::array<std::array<std::vector<ShownBody>, kMeshes>, kMaterials> solids;
   std::vector<ShownBody> near_walls;  // between the camera and the arena
   std::vector<ShownContact> contacts;

@@ -25,6 +25,7 @@ namespace elsie::render {
 enum class Shadows : std::uint8_t {
   none,
   hard,  // on the floor only, which costs little even without a graphics card
+  sun,   // of everything on everything; the sky's only on the floor around things
   soft,  // of everything on everything, of sun and sky
 };
 
