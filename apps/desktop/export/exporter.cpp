@@ -76,6 +76,10 @@ void Exporter::export_picture() {
 }
 
 void Exporter::write_view(const QString& file, const PictureChoice& choice) {
+  if (const QString why = wrong_picture_name(file); !why.isEmpty()) {
+    end_picture(file, why);
+    return;
+  }
   const double ratio = choice.dpi / kUsualDpi;
   const std::shared_ptr<SceneView> view(studio(choice.size, ratio).release(),
                                         [](SceneView* done) { done->deleteLater(); });
@@ -191,29 +195,28 @@ void Exporter::add_frame(int number) {
     film_->end();
     return;
   }
-  workbench_.ask({{"do", "at"}, {"time_s", time_s}}, [this, number,
-                                                      film = film_number_](const Json& answer) {
-    if (!film_ || film != film_number_) {
-      return;  // cancelled in the meantime
-    }
-    if (answer.contains("refused")) {
-      stop_film(tr("the run went on meanwhile; pause it until the film is written"));
-      return;
-    }
-    // The snapshot of that instant came before the answer.
-    if (!film_->add(
-            studio_->picture(SceneView::kFilm, film_ratio_).copy(QRect({}, film_choice_.size)))) {
-      stop_film(film_->error());
-      return;
-    }
-    ++frames_;
-    progress_->setValue(number);
-    if (!film_->is_ready()) {
-      waiting_ = number + 1;
-    } else {
-      add_frame(number + 1);
-    }
-  });
+  workbench_.ask(
+      {{"do", "at"}, {"time_s", time_s}}, [this, number, film = film_number_](const Json& answer) {
+        if (!film_ || film != film_number_) {
+          return;  // cancelled in the meantime
+        }
+        if (answer.contains("refused")) {
+          stop_film(tr("the run went on meanwhile; pause it until the film is written"));
+          return;
+        }
+        // The snapshot of that instant came before the answer.
+        if (!film_->add(studio_->film_picture(film_ratio_).copy(QRect({}, film_choice_.size)))) {
+          stop_film(film_->error());
+          return;
+        }
+        ++frames_;
+        progress_->setValue(number);
+        if (!film_->is_ready()) {
+          waiting_ = number + 1;
+        } else {
+          add_frame(number + 1);
+        }
+      });
 }
 
 void Exporter::take_film(bool is_whole) {

@@ -1,5 +1,6 @@
 #include "scene/photograph.h"
 
+#include <QCoreApplication>
 #include <QElapsedTimer>
 #include <algorithm>
 #include <memory>
@@ -34,21 +35,40 @@ void lay_on_floor(const QImage& photograph, const QImage& layer, QImage& result)
   }
 }
 
+struct Photograph::Darkroom {
+  render::Renderer renderer;
+  bool is_warm = false;
+  const Photograph* composed = nullptr;  // whose scene the renderer has
+};
+
+/// Lives until the application ends, because windows and films come and go.
+std::shared_ptr<Photograph::Darkroom> Photograph::darkroom() {
+  static std::shared_ptr<Darkroom> shared;
+  if (!shared) {
+    shared = std::make_shared<Darkroom>();
+    qAddPostRoutine([] { shared.reset(); });
+  }
+  return shared;
+}
+
 Photograph::Photograph() {
   try {
-    renderer_ = std::make_unique<render::Renderer>();
+    darkroom_ = darkroom();
   } catch (const render::RenderError&) {  // outlines by Qt
   }
 }
 
-Photograph::~Photograph() = default;
+Photograph::~Photograph() {
+  if (darkroom_ && darkroom_->composed == this) darkroom_->composed = nullptr;
+}
 
 QString Photograph::device() const {
-  return renderer_ ? QString::fromStdString(renderer_->device()) : QString();
+  return darkroom_ ? QString::fromStdString(darkroom_->renderer.device()) : QString();
 }
 
 void Photograph::warm_up() {
-  if (!renderer_ || std::exchange(is_warm_, true)) return;
+  if (!darkroom_ || std::exchange(darkroom_->is_warm, true)) return;
+  darkroom_->composed = nullptr;
   constexpr int kSide = 32;  // px
   const Colour grey{128, 128, 128};
   const std::vector<Vector2> triangle{{1.0, 0.0}, {-1.0, 1.0}, {-1.0, -1.0}};
@@ -70,31 +90,31 @@ void Photograph::warm_up() {
   scene.glows = {{{0.0, 0.0, 1.0}, 1.0, 1.0, grey}};
   const Frame from{{0.0, 0.0, 9.0}, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}};
   try {
-    renderer_->compose(scene, {from, {kSide, kSide, 1.0}}, {.arena = {8.0, 8.0}});
+    darkroom_->renderer.compose(scene, {from, {kSide, kSide, 1.0}}, {.arena = {8.0, 8.0}});
     render::Exposure unseen;
     unseen.begin(kSide, kSide);
     for (const auto shadows :
          {render::Shadows::none, render::Shadows::hard, render::Shadows::soft}) {
-      renderer_->expose(shadows, unseen);
+      darkroom_->renderer.expose(shadows, unseen);
     }
   } catch (const render::RenderError&) {
-    renderer_.reset();
+    darkroom_.reset();
   }
 }
 
-void Photograph::take(const render::Scene& scene, const render::View& view,
-                      const render::Style& style) {
-  if (!renderer_) return;
+void Photograph::begin(render::Scene scene, const render::View& view, const render::Style& style) {
+  scene_ = std::move(scene);
+  view_ = view;
+  style_ = style;
+  is_begun_ = true;
   refined_ = long_passes_ = 0;
+  exposure_.begin(view.camera.width, view.camera.height);
+  if (darkroom_ && darkroom_->composed == this) darkroom_->composed = nullptr;
+}
+
+void Photograph::take() {
   QElapsedTimer clock;
   clock.start();
-  try {
-    renderer_->compose(scene, view, style);
-  } catch (const render::RenderError&) {
-    renderer_.reset();
-    return;
-  }
-  exposure_.begin(view.camera.width, view.camera.height);
   const Quality::Level level = quality_.level();
   for (int i = 0; i < level.passes; ++i) {
     if (!expose(level.shadows)) return;
@@ -103,23 +123,28 @@ void Photograph::take(const render::Scene& scene, const render::View& view,
   quality_.took(1e-6 * static_cast<double>(clock.nsecsElapsed()));
 }
 
-void Photograph::refine() {
-  if (!renderer_ || image_.isNull()) return;
+void Photograph::refine(render::Shadows shadows) {
+  if (!is_begun_) return;
   if (refined_ == 0) exposure_.begin(exposure_.width(), exposure_.height());
   QElapsedTimer clock;
   clock.start();
-  if (!expose(render::Shadows::soft)) return;
+  if (!expose(shadows)) return;
   ++refined_;
   constexpr qint64 kMost_ms = 400;  // for which the window may take no events
   long_passes_ = clock.elapsed() > kMost_ms ? long_passes_ + 1 : 0;
 }
 
 bool Photograph::expose(render::Shadows shadows) {
+  if (!darkroom_) return false;
   try {
-    renderer_->expose(shadows, exposure_);
+    if (darkroom_->composed != this) {
+      darkroom_->renderer.compose(scene_, view_, style_);
+      darkroom_->composed = this;
+    }
+    darkroom_->renderer.expose(shadows, exposure_);
     return true;
   } catch (const render::RenderError&) {
-    renderer_.reset();
+    darkroom_.reset();
     return false;
   }
 }

@@ -232,6 +232,8 @@ void SceneView::compose(double ratio) {
   is_stale_ = can_wait_ = false;
   drawn_ago_.start();
   drawn_overlays_ = overlays_;
+  drawn_camera_ = camera_;
+  drawn_ratio_ = ratio;
   drawn_sensor_ = selection_.value(0);
   refining_.stop();
   if (!photograph_.is_possible()) return;
@@ -258,11 +260,11 @@ void SceneView::compose(double ratio) {
   for (auto* strokes : {&scene.drawing, &scene.strokes}) {
     for (render::Stroke& each : *strokes) each.width *= ratio, each.dash *= ratio;
   }
-  photograph_.take(scene,
-                   {camera_.frame(),
-                    {width, height, camera_.fov()},
-                    camera_.seat ? stage_.carrier_of(followed_) : render::kNobody},
-                   style);
+  photograph_.begin(std::move(scene),
+                    {camera_.frame(),
+                     {width, height, camera_.fov()},
+                     camera_.seat ? stage_.carrier_of(followed_) : render::kNobody},
+                    style);
   constexpr int kStill_ms = 200;  // without a movement
   if (isVisible()) refining_.start(kStill_ms);
 }
@@ -291,8 +293,10 @@ void SceneView::paintEvent(QPaintEvent*) {
   // More than 40 pictures a second of a run would only slow it down.
   constexpr qint64 kApart_ms = 25;
   const qint64 wait_ms = can_wait_ ? kApart_ms - drawn_ago_.elapsed() : 0;
-  if (drawn_overlays_ != overlays_ || (is_stale_ && wait_ms <= 0)) {
-    compose(devicePixelRatioF());
+  const double ratio = devicePixelRatioF();
+  if (drawn_overlays_ != overlays_ || drawn_ratio_ != ratio || (is_stale_ && wait_ms <= 0)) {
+    compose(ratio);
+    photograph_.take();
   } else if (is_stale_ && !pacing_.isActive()) {
     pacing_.start(static_cast<int>(wait_ms));
   }
@@ -304,12 +308,29 @@ QImage SceneView::picture(int passes, double ratio) {
   if (ratio <= 0.0) ratio = devicePixelRatioF();
   compose(ratio);
   while (photograph_.is_possible() && photograph_.refined() < passes) photograph_.refine();
+  return painted(ratio);
+}
+
+QImage SceneView::film_picture(double ratio) {
+  if (!is_drawn(ratio)) compose(ratio);
+  while (photograph_.is_possible() && photograph_.refined() < kFilm) {
+    photograph_.refine(render::Shadows::sun);
+  }
+  return painted(ratio);
+}
+
+/// Whether the photograph shows what the view does.
+bool SceneView::is_drawn(double ratio) const {
+  return !is_stale_ && drawn_camera_ == camera_ && drawn_overlays_ == overlays_ &&
+         drawn_ratio_ == ratio;
+}
+
+QImage SceneView::painted(double ratio) {
   if (photograph_.is_possible()) photograph_.develop();
   QImage image((QSizeF(size()) * ratio).toSize(), QImage::Format_RGB32);
   image.setDevicePixelRatio(ratio);
   QPainter painter(&image);
   paint(painter, false);
-  is_stale_ = ratio != devicePixelRatioF();
   return image;
 }
 

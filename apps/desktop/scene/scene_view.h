@@ -90,8 +90,11 @@ class SceneView : public QWidget {
   /// A picture of the view without handles, of as many passes, with so many pixels for each of the
   /// widget's; 0: as on the screen.
   QImage picture(int passes = kPicture, double ratio = 0.0);
+  /// The same for a film: drawn in a fraction of the time, or not at all if nothing has moved.
+  QImage film_picture(double ratio);
   /// What is seen of the world without lines and words.
   const Photograph& photograph() const { return photograph_; }
+  Photograph& photograph() { return photograph_; }
   /// The names that are drawn: as many as there is room for, those nearest to the camera first.
   std::vector<Label> labels() const;
   /// The OpenGL renderer, such as "llvmpipe ..."; "" if Qt draws outlines, without OpenGL.
@@ -141,6 +144,8 @@ class SceneView : public QWidget {
   };
 
   void compose(double ratio);
+  bool is_drawn(double ratio) const;
+  QImage painted(double ratio);
   void refine();
   void follow_robot();
   void leave_seat();
@@ -177,7 +182,9 @@ class SceneView : public QWidget {
   QElapsedTimer drawn_ago_;
   bool is_stale_ = true;
   bool can_wait_ = false;    // what is stale is not what a hand did
-  Overlays drawn_overlays_;  // of the photograph
+  Overlays drawn_overlays_;  // of the photograph, as what follows
+  OrbitCamera drawn_camera_;
+  double drawn_ratio_ = 0.0;
   QString drawn_sensor_;
   bool was_shown_ = false;
   Trails trails_;
