@@ -337,7 +337,11 @@ TEST_CASE("One time is shown by all windows: those of the robot show the values 
   auto* vision = window->findChild<VisionPanel*>();
   auto* fuzzy = window->findChild<FuzzyPanel*>();
   auto* coordination = window->findChild<CoordinationPanel*>();
-  const auto raise = [&](const char* dock) { window.get<QDockWidget>(dock)->raise(); };
+  const auto raise = [&](const char* name) {
+    auto* dock = window.get<QDockWidget>(name);
+    dock->raise();
+    REQUIRE(wait_for([&] { return !dock->widget()->visibleRegion().isEmpty(); }));  // and watched
+  };
   const auto look = [&](double time_s) {
     line->go_to(time_s);
     REQUIRE(wait_for(
@@ -346,6 +350,10 @@ TEST_CASE("One time is shown by all windows: those of the robot show the values 
   raise("dock_coordination");
   raise("dock_vision");
   run_until(window, 0.5);
+  const auto shows = [&](const QString& now) {
+    return wait_for([&] { return window.get<QLabel>("x_live")->text().startsWith(now); });
+  };
+  REQUIRE(shows("now at 0.5 s: x "));
   REQUIRE(wait_for([&] { return !vision->picture("r1/eye raw").isNull(); }));
   const QImage picture = vision->picture("r1/eye raw");
   const QString decision = coordination->row_text(0);
@@ -358,8 +366,7 @@ TEST_CASE("One time is shown by all windows: those of the robot show the values 
   run_until(window, 2.0);
   raise("dock_sensors");
   run_until(window, 2.5);
-  const QString now = "now at 2.5 s: x ";
-  CHECK(wait_for([&] { return window.get<QLabel>("x_live")->text().startsWith(now); }));
+  CHECK(shows("now at 2.5 s: x "));
   REQUIRE(wait_for([&] { return !reading(window, "ahead").isEmpty(); }));
   const QString present = reading(window, "ahead");
 
