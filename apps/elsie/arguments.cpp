@@ -54,7 +54,10 @@ CLI::Validator non_negative_number() {
 }
 
 CLI::Validator number_between(double least, double most) {
-  const std::string range = "from " + base::number_text(least) + " to " + base::number_text(most);
+  const auto written = [](double bound) {
+    return bound == std::floor(bound) ? base::fixed_text(bound, 0) : base::number_text(bound);
+  };
+  const std::string range = "from " + written(least) + " to " + written(most);
   return CLI::Validator(
       [=](std::string& text) -> std::string {
         const auto value = parse_number(text);
