@@ -8,6 +8,7 @@
 #include <QProgressDialog>
 #include <QRadioButton>
 #include <QStandardItemModel>
+#include <QTimer>
 
 #include "control_bar.h"
 #include "export/exporter.h"
@@ -98,6 +99,29 @@ TEST_CASE("A film goes through ffmpeg in its size and speed, while the window li
   CHECK(bytes_of(programs.file("words")).contains("libvpx-vp9"));
   CHECK(film_of(window, window.folder() + "/run.gif", {"gif", QSize(320, 180), 8.0}));
   CHECK(bytes_of(programs.file("words")).contains("paletteuse"));
+}
+
+TEST_CASE("Who moves the time while a film is written does not change it") {
+  Programs programs;
+  programs.add("ffmpeg", kCopies);
+  Room window(QString(kRoom).replace("\"60\"", "\"2\""));
+  window.run_to_the_end();
+  const QString calm = window.folder() + "/calm.mp4", restless = window.folder() + "/restless.mp4";
+  CHECK(film_of(window, calm, {"mp4", QSize(160, 90), 8.0}));
+  QTimer mover;
+  QObject::connect(&mover, &QTimer::timeout, [&] {
+    window.bench().ask({{"do", "at"}, {"time_s", 0.0}}, {});
+  });
+  CHECK(film_of(window, restless, {"mp4", QSize(160, 90), 8.0}, [&] { mover.start(10); }));
+  CHECK((bytes_of(calm) == bytes_of(restless)));
+}
+
+TEST_CASE("A file that is no film is refused in a sentence") {
+  Room window;
+  run_until(window, 0.5);
+  CHECK_FALSE(film_of(window, window.folder() + "/run.mov", {"mp4", QSize(160, 90), 8.0}));
+  CHECK(window.dialog<QMessageBox>("film_failed")->text().contains("run.mov' does not end in"));
+  CHECK_FALSE(QFile::exists(window.folder() + "/run.mov"));
 }
 
 TEST_CASE("A film that ffmpeg cannot write, or that is cancelled, leaves the file as it was") {

@@ -22,6 +22,7 @@ namespace {
 constexpr double kUsualDpi = 96.0;
 constexpr double kUsualHeight = 720.0;  // px; names in a larger film are as large as in this one
 constexpr int kDrawnWidth = 1000;       // of a picture of lines
+constexpr int kBetweenShown_ms = 500;   // pictures of a film in the view
 
 }  // namespace
 
@@ -152,6 +153,14 @@ void Exporter::write_film(const QString& file, const FilmChoice& choice) {
   if (film_) {
     return;
   }
+  if (!FilmWriter::can_write(file)) {
+    warn(
+        window_, tr("Not exported"),
+        tr("'%1' does not end in .mp4, .webm, .gif or .avi, as the name of a film does.").arg(file),
+        "film_failed");
+    Q_EMIT film_ended(false);
+    return;
+  }
   if (workbench_.run_state() == Workbench::Run::running) {
     workbench_.pause();
   }
@@ -164,6 +173,7 @@ void Exporter::write_film(const QString& file, const FilmChoice& choice) {
   waiting_.reset();
   studio_ = studio(choice.size, film_ratio_);
   scene_.setUpdatesEnabled(false);  // it would draw every picture of the film, too
+  shown_.start();
   connect(film_.get(), &FilmWriter::finished, this, &Exporter::take_film);
   connect(film_.get(), &FilmWriter::has_room, this, [this] {
     if (const auto frame = std::exchange(waiting_, std::nullopt)) add_frame(*frame);
@@ -195,28 +205,40 @@ void Exporter::add_frame(int number) {
     film_->end();
     return;
   }
-  workbench_.ask(
-      {{"do", "at"}, {"time_s", time_s}}, [this, number, film = film_number_](const Json& answer) {
-        if (!film_ || film != film_number_) {
-          return;  // cancelled in the meantime
-        }
-        if (answer.contains("refused")) {
-          stop_film(tr("the run went on meanwhile; pause it until the film is written"));
-          return;
-        }
-        // The snapshot of that instant came before the answer.
-        if (!film_->add(studio_->film_picture(film_ratio_).copy(QRect({}, film_choice_.size)))) {
-          stop_film(film_->error());
-          return;
-        }
-        ++frames_;
-        progress_->setValue(number);
-        if (!film_->is_ready()) {
-          waiting_ = number + 1;
-        } else {
-          add_frame(number + 1);
-        }
-      });
+  workbench_.ask({{"do", "at"}, {"time_s", time_s}}, [this, number,
+                                                      film = film_number_](const Json& answer) {
+    if (!film_ || film != film_number_) {
+      return;  // cancelled in the meantime
+    }
+    if (answer.contains("refused")) {
+      stop_film(tr("the run went on meanwhile; pause it until the film is written"));
+      return;
+    }
+    // The snapshot of that instant came before the answer, unless the user has moved the time on.
+    if (std::abs(studio_->stage().time_s() - answer.value("time_s", 0.0)) > 1e-9) {
+      constexpr int kMostAgain = 500;
+      ++again_ < kMostAgain ? add_frame(number) : stop_film(tr("the time was moved all the while"));
+      return;
+    }
+    again_ = 0;
+    if (shown_.elapsed() > kBetweenShown_ms) {
+      scene_.setUpdatesEnabled(true);
+      scene_.repaint();
+      scene_.setUpdatesEnabled(false);
+      shown_.restart();
+    }
+    if (!film_->add(studio_->film_picture(film_ratio_).copy(QRect({}, film_choice_.size)))) {
+      stop_film(film_->error());
+      return;
+    }
+    ++frames_;
+    progress_->setValue(number);
+    if (!film_->is_ready()) {
+      waiting_ = number + 1;
+    } else {
+      add_frame(number + 1);
+    }
+  });
 }
 
 void Exporter::take_film(bool is_whole) {

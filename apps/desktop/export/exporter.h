@@ -1,6 +1,7 @@
 // Exports pictures, films, recordings, and the command that repeats a run.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QPointer>
 #include <memory>
@@ -77,6 +78,8 @@ class Exporter : public QObject {
   double film_rate_ = 25.0;
   QString film_file_;
   double film_until_s_ = 0.0;
+  int again_ = 0;        // how often the present frame was asked for in vain
+  QElapsedTimer shown_;  // since the view has shown a picture of it
   int frames_ = 0;
   std::optional<int> waiting_;  // the frame for which the film has no room yet
   QPointer<QProgressDialog> progress_;

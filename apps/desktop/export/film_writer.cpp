@@ -80,6 +80,10 @@ std::unique_ptr<FilmWriter> FilmWriter::for_file(const QString& file, const QSiz
   return std::make_unique<AviFilm>(file);
 }
 
+bool FilmWriter::can_write(const QString& file) {
+  return encodings().contains(ending_of(file)) || ending_of(file) == QLatin1String("avi");
+}
+
 QString FilmWriter::ffmpeg() { return QStandardPaths::findExecutable(QStringLiteral("ffmpeg")); }
 
 QStringList FilmWriter::endings_with_ffmpeg() { return {"mp4", "webm", "gif"}; }

@@ -19,6 +19,8 @@ class FilmWriter : public QObject {
   /// The writer for the ending of the file: .avi, or with the program ffmpeg .mp4, .webm and .gif.
   /// All pictures have this size.
   static std::unique_ptr<FilmWriter> for_file(const QString& file, const QSize& size);
+  /// Whether the file has one of these endings.
+  static bool can_write(const QString& file);
   /// The program; "" if it is not installed.
   static QString ffmpeg();
   /// The endings that need it.

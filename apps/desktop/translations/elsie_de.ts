@@ -1759,6 +1759,14 @@ gehemmt von %1</translation>
         <source>the run went on meanwhile; pause it until the film is written</source>
         <translation>der Lauf ging inzwischen weiter; halten Sie ihn an, bis der Film geschrieben ist</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; does not end in .mp4, .webm, .gif or .avi, as the name of a film does.</source>
+        <translation>&apos;%1&apos; endet nicht auf .mp4, .webm, .gif oder .avi, wie der Name eines Films.</translation>
+    </message>
+    <message>
+        <source>the time was moved all the while</source>
+        <translation>die Zeit wurde die ganze Zeit verstellt</translation>
+    </message>
 </context>
 <context>
     <name>elsie::desktop::Fan</name>
