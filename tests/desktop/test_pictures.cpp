@@ -231,7 +231,7 @@ TEST_CASE("Pictures: when a plugin ends the engine, and after a crash", "[.pictu
   keep(*window.dialog<QMessageBox>("engine_lost"), "engine_lost");
   window.dialog<QMessageBox>("engine_lost")->close();
 
-  Recovery().keep("/home/you/worlds/maze.xml", kRoom, false);  // as a window leaves it that crashes
+  Recovery().keep({"/home/you/worlds/maze.xml", kRoom});  // as a window leaves it that crashes
   at_dialog("recovered", [](QDialog* dialog) {
     keep(*dialog, "recovered");
     qobject_cast<QMessageBox*>(dialog)->button(QMessageBox::Yes)->click();
@@ -241,15 +241,17 @@ TEST_CASE("Pictures: when a plugin ends the engine, and after a crash", "[.pictu
   keep(window, "recovered_window");
 }
 
-TEST_CASE("Pictures: an automaton, messages, and a run that goes on", "[.pictures]") {
+TEST_CASE("Pictures: an automaton", "[.pictures]") {
   Window window(world_file("guard"));
   resize(window);
   window.choose(window->scene().stage().bodies().front().path);
   show_dock(window.window(), "dock_graph");
   play_until(window, 6.0);
   keep(window, "graph");
-  window.open(world_file("flock"));
-  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+}
+
+TEST_CASE("Pictures: messages, and a run that goes on", "[.pictures]") {
+  Window window(world_file("flock"));
   resize(window);
   window.choose(window->scene().stage().bodies().front().path);
   show_dock(window.window(), "dock_sensors");

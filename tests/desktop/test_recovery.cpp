@@ -78,8 +78,8 @@ TEST_CASE("Two windows do not share what they keep, and what is kept outlives it
   QString kept_in;
   {
     Recovery first, second;
-    REQUIRE(first.keep("/w/a.xml", "one", true));
-    REQUIRE(second.keep("/w/a.xml", "two", false));
+    REQUIRE(first.keep({"/w/a.xml", "one", true}));
+    REQUIRE(second.keep({"/w/a.xml", "two"}));
     CHECK_FALSE(texts().contains("one"));  // their windows are open
     CHECK_FALSE(texts().contains("two"));
     second.forget();
@@ -204,6 +204,29 @@ TEST_CASE("What was typed in an open dialog survives: it is entered, and undo ta
   }
   for (qsizetype i = 0; i < expected.size(); ++i) window.after([&] { window.act("undo"); });
   CHECK(window.bench().text() == kRoom);
+}
+
+TEST_CASE("A plugin that was written in the window comes back with the world that needs it") {
+  Window window;
+  const QString source = window.folder() + "/veer.py";
+  std::ofstream(source.toStdString()) << R"(import elsie
+
+
+class Veer(elsie.Behavior):
+    """Drives straight on."""
+
+    def respond(self, now):
+        return elsie.Motion(forward=0.1)
+)";
+  QString text = QString(kRoom).replace("<wander/>", "<veer/>");
+  const Json json{{"file", ""}, {"text", text.toStdString()}, {"plugins", {source.toStdString()}}};
+  leave_behind("needs.json", json);
+  at_dialog("recovered", press_yes);
+  window->offer_recovered();
+  REQUIRE(
+      wait_for([&] { return window.bench().is_right() || !window.bench().problems().empty(); }));
+  CHECK(window.bench().is_right());
+  CHECK(window.bench().tree().is_object());
 }
 
 TEST_CASE("What a dialog has kept goes with it") {

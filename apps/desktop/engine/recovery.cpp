@@ -60,18 +60,20 @@ Recovery::~Recovery() {
   }
 }
 
-bool Recovery::keep(const QString& file, const QString& text, bool is_borrowed,
-                    const std::vector<Typed>& typed, const std::vector<Typed>& sources) {
+bool Recovery::keep(const Recovered& work) {
   folder().mkpath(".");
   if (lock_ < 0) {
     lock_ = locked(kept_in_, O_CREAT);
   }
-  Json json{{"file", file.toStdString()}, {"text", text.toStdString()}, {"borrowed", is_borrowed}};
-  for (const auto& [name, all] : {std::pair{"typed", &typed}, {"sources", &sources}}) {
+  Json json{{"file", work.file.toStdString()},
+            {"text", work.text.toStdString()},
+            {"borrowed", work.is_borrowed}};
+  for (const auto& [name, all] : {std::pair{"typed", &work.typed}, {"sources", &work.sources}}) {
     for (const Typed& each : *all) {
       json[name].push_back({{"path", each.path.toStdString()}, {"text", each.text.toStdString()}});
     }
   }
+  for (const QString& each : work.plugins) json["plugins"].push_back(each.toStdString());
   return files::write_whole(kept_in_.toStdString(), json.dump()) == 0;
 }
 
@@ -87,8 +89,9 @@ std::vector<Recovered> Recovery::left_behind() {
       continue;
     }
     const Json json = Json::parse(file.readAll().toStdString(), nullptr, false);
-    all.push_back({text_of(json, "file"), text_of(json, "text"), path,
-                   member(json, "borrowed") == true, !member(json, "text").is_string()});
+    all.push_back({text_of(json, "file"), text_of(json, "text"), member(json, "borrowed") == true,
+                   path, !member(json, "text").is_string()});
+    for (const Json& each : member(json, "plugins")) all.back().plugins << written(each);
     for (const auto& [what, list] :
          {std::pair{"typed", &all.back().typed}, {"sources", &all.back().sources}}) {
       for (const Json& each : member(json, what)) {

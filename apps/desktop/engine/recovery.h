@@ -1,7 +1,7 @@
 // Keeps unsaved work where it survives a crash.
 #pragma once
 
-#include <QString>
+#include <QStringList>
 #include <vector>
 
 namespace elsie::desktop {
@@ -14,15 +14,16 @@ struct Typed {
   friend bool operator==(const Typed&, const Typed&) = default;
 };
 
-/// The work of a window that was not closed properly.
+/// The unsaved work of a window, as it is kept for the case that the window is not closed properly.
 struct Recovered {
   QString file;  // from which the world was opened; may be empty
   QString text;
-  QString kept_in;
   bool is_borrowed = false;  // the file belongs to a recording; the world is then saved elsewhere
-  bool is_damaged = false;   // there is then neither file nor text
+  QString kept_in = {};
+  bool is_damaged = false;  // there is then neither file nor text
   std::vector<Typed> typed = {};
   std::vector<Typed> sources = {};
+  QStringList plugins = {};  // sources that were written in the window, which the world may need
 };
 
 /// Keeps the unsaved text of one window in a file of its own, below the user's data folder. A lock
@@ -36,9 +37,8 @@ class Recovery {
   Recovery(const Recovery&) = delete;
   Recovery& operator=(const Recovery&) = delete;
 
-  /// Stores the text. Returns false if the disk is full or the folder cannot be written.
-  bool keep(const QString& file, const QString& text, bool is_borrowed,
-            const std::vector<Typed>& typed = {}, const std::vector<Typed>& sources = {});
+  /// Stores the work. Returns false if the disk is full or the folder cannot be written.
+  bool keep(const Recovered& work);
   /// Deletes the file, because everything is saved or discarded.
   void forget();
 

@@ -61,7 +61,8 @@ class Workbench : public QObject {
   /// @{
   /// Opens this text as a new world, which replaces the present one.
   void open_text(const QString& text, const QString& file, bool is_saved = true,
-                 bool is_borrowed = false);
+                 bool is_borrowed = false,
+                 const QStringList& plugins = {});
   /// Opens a file. Returns false, with a sentence, if it cannot be read; then nothing has changed.
   /// `seed` is the new seed; without it the seed stays.
   bool open(const QString& file, QString& why, std::optional<std::uint64_t> seed = {},
@@ -211,6 +212,7 @@ class Workbench : public QObject {
   void saved_as(const QString& target, const QString& text);
   QString write(const QString& file, const QString& text);
   bool has_unsaved_text() const { return is_gone_ || text_ != saved_text_; }
+  QStringList drafts() const;
   void keep();
   static std::optional<QByteArray> bytes_of_world(const QString& file, QString& why);
   void watch_file();

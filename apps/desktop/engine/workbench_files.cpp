@@ -31,8 +31,8 @@ QString folder_of(const QString& file) { return QFileInfo(file).absolutePath(); 
 
 }  // namespace
 
-void Workbench::open_text(const QString& text, const QString& file, bool is_saved,
-                          bool is_borrowed) {
+void Workbench::open_text(const QString& text, const QString& file, bool is_saved, bool is_borrowed,
+                          const QStringList& plugins) {
   drop_changes(tr("Another world was opened before this was done."));
   halt_s_.reset();
   deaths_ = 0;
@@ -51,6 +51,7 @@ void Workbench::open_text(const QString& text, const QString& file, bool is_save
   time_s_ = latest_s_ = 0.0;
   plugin_problems_.clear();
   watch_file();
+  for (const QString& each : plugins) add_plugin(each, this, [](const Problems&) {});
   in_turn([this] { open_in_engine(text_); });
   Q_EMIT history_changed();
 }
@@ -281,7 +282,7 @@ void Workbench::keep_sources(std::vector<Typed> sources) {
 }
 
 void Workbench::open_recovered(const Recovered& recovered) {
-  open_text(recovered.text, recovered.file, false, recovered.is_borrowed);
+  open_text(recovered.text, recovered.file, false, recovered.is_borrowed, recovered.plugins);
   keep_typed(this, recovered.typed);
   for (const Typed& each : recovered.typed) {
     edit(
@@ -296,6 +297,16 @@ void Workbench::open_recovered(const Recovered& recovered) {
   }
 }
 
+/// The sources of plugins that were added in the window.
+QStringList Workbench::drafts() const {
+  QStringList files;
+  const QStringList& options = engine_.options();
+  for (qsizetype i = 0; i + 1 < options.size(); ++i) {
+    if (options[i] == QLatin1String("--draft")) files << options[i + 1];
+  }
+  return files;
+}
+
 void Workbench::keep() {
   if (!has_unsaved_text() && typed_.empty() && sources_.empty()) {
     recovery_.forget();
@@ -305,7 +316,8 @@ void Workbench::keep() {
   const bool was_kept = is_kept_;
   std::vector<Typed> typed;
   for (const auto& [by, all] : typed_) typed.insert(typed.end(), all.begin(), all.end());
-  is_kept_ = recovery_.keep(file_, text_, is_borrowed_, typed, sources_);
+  is_kept_ =
+      recovery_.keep({file_, text_, is_borrowed_, {}, false, std::move(typed), sources_, drafts()});
   if (was_kept && !is_kept_) {
     Q_EMIT noted(
         tr("Unsaved work cannot be kept for the case of a crash: your data folder is full or "

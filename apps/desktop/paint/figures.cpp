@@ -54,7 +54,9 @@ void fill(QTableWidget* table, const Figures& figures) {
       table->setItem(row, column, new QTableWidgetItem(cells[column]));
     }
   }
+  table->horizontalHeader()->setMaximumSectionSize(48 * table->fontMetrics().averageCharWidth());
   table->resizeColumnsToContents();
+  table->resizeRowsToContents();
 }
 
 }  // namespace

@@ -66,8 +66,16 @@ void OverlayPainter::scale(const QRectF& taken) const {
   const double step = grid_step(stage_, camera_);
   const double aside = 0.1 + 0.02 * std::max(x, y);  // beyond a wall
   const Vector3 eye = camera_.frame().origin;
-  // Along the edges nearest to the camera.
-  const double south = eye.y < 0.0 ? -1.0 : 1.0, west = eye.x < 0.0 ? -1.0 : 1.0;
+  // Along the edges nearest to the camera; seen from above, along the lower and the left one.
+  const auto pixel = [&](double at_x, double at_y) {
+    return camera_.project({at_x, at_y, 0.0}, size_).value_or(QPointF());
+  };
+  constexpr double kAbove = 0.1;  // of the arena: nearer to its middle the camera is above it
+  const auto sign = [](bool is_low) { return is_low ? -1.0 : 1.0; };
+  const double south =
+      sign(std::abs(eye.y) > kAbove * y ? eye.y < 0.0 : pixel(0.0, -y).y() > pixel(0.0, y).y());
+  const double west =
+      sign(std::abs(eye.x) > kAbove * x ? eye.x < 0.0 : pixel(-x, 0.0).x() < pixel(x, 0.0).x());
   const QFont before = painter_.font();
   QFont small = before;
   small.setPointSizeF(0.85 * small.pointSizeF());

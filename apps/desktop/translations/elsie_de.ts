@@ -1779,10 +1779,6 @@ gehemmt von %1</translation>
         <translation>A&amp;nzahl</translation>
     </message>
     <message>
-        <source> deg</source>
-        <translation>°</translation>
-    </message>
-    <message>
         <source>The angle between the first and the last; 360: a ring</source>
         <translation>Der Winkel zwischen dem ersten und dem letzten; 360: ein Ring</translation>
     </message>
@@ -1891,6 +1887,10 @@ gehemmt von %1</translation>
     <message>
         <source>Back to the default, %1</source>
         <translation>Zurück zur Vorgabe, %1</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
     </message>
 </context>
 <context>

@@ -55,6 +55,8 @@ void Card::open() {
 // As wide as its contents like, but no wider than half of the view unless they would be cut off,
 // and high enough for them.
 void Card::settle() {
+  // Layouts do not hear of changes of what has never been shown.
+  for (QLayout* each : findChildren<QLayout*>()) each->invalidate();
   const int margin = fontMetrics().height() / 2;
   const QSize room = parentWidget()->size() - QSize(2 * margin, 2 * margin);
   const int wished = 24 * fontMetrics().averageCharWidth() * 2;

@@ -29,7 +29,7 @@ Fan::Fan(int count, QWidget* parent) : QWidget(parent) {
   spread_deg_->setRange(0.0, kCircle_deg);
   spread_deg_->setDecimals(1);
   spread_deg_->setValue(kSpread_deg);
-  spread_deg_->setSuffix(tr(" deg"));
+  spread_deg_->setSuffix(QStringLiteral("\u00b0"));
   spread_deg_->setToolTip(tr("The angle between the first and the last; 360: a ring"));
   auto* spread_label = new QLabel(tr("&over"));
   spread_label->setBuddy(spread_deg_);

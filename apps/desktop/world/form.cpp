@@ -162,9 +162,15 @@ void Form::show_fields(const std::vector<Field>& fields, const Json& values) {
       layout_->removeRow(0);
     }
     rows_.clear();
+    std::map<QString, int> titles;  // without their units, two may be alike: error and error_m
+    for (const Field& field : fields) ++titles[in_words(field.name, field.unit)];
     int widest = 0;  // unit, so that the fields end below each other
     for (const Field& field : fields) {
       rows_.push_back(make_row(field));
+      if (titles[in_words(field.name, field.unit)] > 1 && !field.unit.isEmpty()) {
+        rows_.back().label->setText(
+            tr("%1 in %2").arg(rows_.back().label->text(), unit_in_words(field.unit)));
+      }
       if (rows_.back().unit) widest = std::max(widest, rows_.back().unit->sizeHint().width());
     }
     for (const Row& row : rows_) {
