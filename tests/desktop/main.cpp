@@ -1,5 +1,6 @@
 #define CATCH_CONFIG_RUNNER
 #include <QApplication>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 
 #include <catch2/catch.hpp>
@@ -8,7 +9,16 @@
 #include "look/theme.h"
 
 int main(int argc, char** argv) {
-  const QTemporaryDir own;  // settings, kept work and pictures: not those of the user
+  const auto set_default = [](const char* name, const QString& value) {
+    if (qEnvironmentVariableIsEmpty(name)) qputenv(name, value.toUtf8());
+  };
+  // What Mesa has compiled is kept for the next program, and plugins are not optimised, so that
+  // little time goes to compilers.
+  set_default("MESA_SHADER_CACHE_DIR",
+              QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation));
+  set_default("CXXFLAGS", "-O0");
+  set_default("LP_NUM_THREADS", "1");  // as the program does
+  const QTemporaryDir own;             // settings, kept work and pictures: not those of the user
   const QString home = qEnvironmentVariable("ELSIE_TEST_HOME", own.path());
   for (const char* name : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"}) {
     qputenv(name, home.toUtf8());

@@ -177,12 +177,12 @@ TEST_CASE("A picture of the view has the dots for print") {
   run_until(window, 1.0);
   const QString file = window.folder() + "/view.png";
   REQUIRE(picture_of(window, [&](Exporter& exporter) {
-    exporter.write_view(file, {false, "png", QSize(1500, 1000), 300});
+    exporter.write_view(file, {false, "png", QSize(600, 400), 300});
   }));
   const QImage written(file);
-  CHECK(written.size() == QSize(1500, 1000));
+  CHECK(written.size() == QSize(600, 400));
   CHECK(written.dotsPerMeterX() == 11811);
-  CHECK(window->scene().picture().size() == window->scene().size());
+  CHECK(window->scene().picture(1).size() == window->scene().size());
 }
 
 TEST_CASE("The world from above is drawn as PNG, SVG and PDF, with the paths so far") {

@@ -116,6 +116,7 @@ TEST_CASE("The picture is full at rest, and begins anew when something moves") {
   REQUIRE(stands_on_the_stage(window));
   SceneView& scene = window->scene();
   if (!scene.photograph().is_possible()) return;  // without OpenGL
+  scene.photograph().set_finest(render::kFinished);
   REQUIRE(wait_for([&] { return scene.photograph().is_finished(); }));
   const QImage full = scene.photograph().image().copy();
   scene.camera().orbit({40.0, 0.0});
@@ -124,6 +125,24 @@ TEST_CASE("The picture is full at rest, and begins anew when something moves") {
   CHECK(scene.photograph().refined() == 0);
   REQUIRE(wait_for([&] { return scene.photograph().is_finished(); }));
   CHECK(scene.photograph().image() != full);
+}
+
+TEST_CASE("A picture of another view between two passes does not get into this one") {
+  Room window;
+  REQUIRE(stands_on_the_stage(window));
+  SceneView& scene = window->scene();
+  if (!scene.photograph().is_possible()) return;  // without OpenGL
+  scene.picture(4);
+  const QImage alone = scene.photograph().image().copy();
+  scene.picture(2);
+  SceneView other;
+  other.resize(300, 200);
+  other.set_scene(window.bench().scene(), window.bench().epoch());
+  CHECK(other.film_picture(1.0).size() == QSize(300, 200));
+  scene.photograph().refine();
+  scene.photograph().refine();
+  scene.photograph().develop();
+  CHECK(scene.photograph().image() == alone);
 }
 
 TEST_CASE("A moving picture becomes rougher while it takes too long, and finer again") {

@@ -66,6 +66,7 @@ void keep_menus(Window& window) {
 void resize(Window& window) {
   const QStringList size = qEnvironmentVariable("ELSIE_PICTURE_SIZE", "1280x800").split('x');
   window->resize(size[0].toInt(), size[1].toInt());
+  window->scene().photograph().set_finest(elsie::render::kFinished);
   window->arrange("author");
 }
 

@@ -29,6 +29,7 @@
 #include <catch2/catch.hpp>
 
 #include "main_window.h"
+#include "scene/scene_view.h"
 #include "waiting.h"
 #include "world/world_tree.h"
 
@@ -46,12 +47,13 @@ inline QByteArray bytes_of(const QString& path) {
   return file.readAll();
 }
 
-/// Does something with the modal dialog of that name, once it is there.
+/// Does something with the modal dialog of that name, once it is there and gets the keys: until
+/// then, they may be shortcuts of the window behind it.
 inline void at_dialog(const QString& name, const std::function<void(QDialog*)>& answer) {
   auto* waiting = new QTimer(qApp);
   QObject::connect(waiting, &QTimer::timeout, waiting, [=] {
     auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-    if (dialog && dialog->objectName() == name) {
+    if (dialog && dialog->objectName() == name && is_activated(*dialog)) {
       waiting->deleteLater();
       answer(dialog);
     }
@@ -121,6 +123,8 @@ class Window {
       ++asked;
       return answer;
     };
+    constexpr int kFewPasses = 4;  // of pictures at rest, which most tests do not look at
+    window_.scene().photograph().set_finest(kFewPasses);
     window_.show();
     activate(window_);
     REQUIRE(wait_for([&] { return !window_.workbench().catalog().is_empty(); }));
@@ -210,8 +214,7 @@ class Window {
     QObject::disconnect(connection);
     return end;
   }
-  /// Waits until the dialog is shown and gets the keys: until then, they may be shortcuts of the
-  /// window behind it.
+  /// Waits until the dialog is shown and gets the keys.
   template <class Dialog = QDialog>
   Dialog* dialog(const char* name) {
     Dialog* found = nullptr;
