@@ -1,6 +1,6 @@
 // What the window costs: a run at full speed in it against the same run by `elsie run`, the time to
-// the first picture, pictures per second and how fine they are, the time to the finest picture, and
-// the processor time of a window and its engine that are paused.
+// the first picture, pictures per second and how fine they are, the time to the finest picture, the
+// processor time of a picture of a film, and that of a window and its engine that are paused.
 //
 //   desktop [--repeats N]
 //
@@ -27,6 +27,7 @@
 #include "elsie/world/writer.h"
 
 #include "arena_of_robots.h"
+#include "export/exporter.h"
 #include "main_window.h"
 #include "scene/scene_view.h"
 #include "statistics.h"
@@ -214,6 +215,28 @@ double processor_s(const QString& process) {
 /// Of the window and its engine.
 double processor_s() { return processor_s(QString::number(QCoreApplication::applicationPid())); }
 
+/// Processor time of a picture of a film of 100 robots, ms.
+double film_ms(const QTemporaryDir& folder, const QSize& size) {
+  constexpr double kUntil_s = 2.0;
+  Window window(world_file(folder, 100, kUntil_s));
+  window.be_ready();
+  window.bench().run();
+  QTimer wake;
+  wake.start(20);
+  wait_for([&] { return window.bench().run_state() == Workbench::Run::ended; });
+  wait_for([&] { return window.window().scene().photograph().is_finished(); });
+  auto* exporter = window.window().findChild<elsie::desktop::Exporter*>();
+  std::optional<bool> is_whole;
+  QObject here;
+  QObject::connect(exporter, &elsie::desktop::Exporter::film_ended, &here,
+                   [&](bool whole) { is_whole = whole; });
+  const double before = processor_s();
+  exporter->write_film(folder.filePath("film.avi"), {"avi", size, 1.0});
+  wait_for([&] { return is_whole.has_value(); });
+  const double pictures = 25.0 * kUntil_s + 1.0;
+  return 1e3 * (processor_s() - before) / pictures;
+}
+
 double share_when_paused(const QTemporaryDir& folder) {
   Window window(world_file(folder, 100, 1e6));
   window.be_ready();
@@ -282,6 +305,10 @@ void measure_all(int repeats) {
       median(first), repeats, kSize.width(), kSize.height(), moving.pictures_per_second,
       moving.quality, elsie::desktop::Quality::kLevels.size() - 1, moving.finest_s,
       100 * share_when_paused(folder), QApplication::platformName().toUtf8().constData());
+  for (const QSize& size : {QSize(320, 180), QSize(1280, 720)}) {
+    std::printf("A picture of a film of them, %d x %d, takes %.0f ms of processor time.\n",
+                size.width(), size.height(), film_ms(folder, size));
+  }
 }
 
 }  // namespace
