@@ -57,7 +57,7 @@ TEST_CASE("What cannot be used is refused with a sentence") {
       {R"({"op":"subscribe","subscriptions":[{"id":-1,"channelId":1}]})", "no whole number"},
       {R"({"op":"subscribe","subscriptions":[{"id":4294967296,"channelId":1}]})",
        "no whole number"},
-      {R"({"op":"setParameters","parameters":[{"name":"speed","value":0}]})", "not above 0"},
+      {R"({"op":"setParameters","parameters":[{"name":"speed","value":0}]})", "no number above 0"},
       {R"({"op":"setParameters","parameters":[{"name":"speed","value":"fast"}]})", "no number"},
       {R"({"op":"setParameters","parameters":[{"name":"paused","value":1}]})", "neither true"},
       {R"({"op":"setParameters","parameters":[{"name":"time_s","value":-1}]})", "below 0"},
@@ -77,8 +77,8 @@ TEST_CASE("What cannot be used is refused with a sentence") {
       {"\x03\x01\x00\x00\x80\x3f\x01\x00\x94\x35\x77\x00\x00\x00\x00\xff\xff\xff\xffme"s,
        "ends too early"},
       {"\x03\x02\x00\x00\x80\x3f\x00"s + std::string(12, '\0'), "the command is 2"},
-      {"\x03\x00\x00\x00\x00\x00\x00"s + std::string(12, '\0'), "not above 0"},
-      {"\x03\x00\x00\x00\xc0\x7f\x00"s + std::string(12, '\0'), "not above 0"}};
+      {"\x03\x00\x00\x00\x00\x00\x00"s + std::string(12, '\0'), "no number above 0"},
+      {"\x03\x00\x00\x00\xc0\x7f\x00"s + std::string(12, '\0'), "no number above 0"}};
   for (const auto& [bytes, part] : frames) {
     CAPTURE(bytes);
     CHECK_THAT(refusal(request_of_bytes(bytes)), Catch::Contains(part));
