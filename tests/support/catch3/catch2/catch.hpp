@@ -12,6 +12,7 @@ namespace Catch {
 using Matchers::EndsWith;
 using Matchers::Equals;
 using Matchers::Matches;
+using Matchers::Message;
 using Matchers::StartsWith;
 using Matchers::VectorContains;
 
