@@ -339,6 +339,7 @@ TEST_CASE("One time is shown by all windows: those of the robot show the values 
   auto* coordination = window->findChild<CoordinationPanel*>();
   const auto raise = [&](const char* name) {
     auto* dock = window.get<QDockWidget>(name);
+    dock->show();
     dock->raise();
     REQUIRE(wait_for([&] { return !dock->widget()->visibleRegion().isEmpty(); }));  // and watched
   };
