@@ -254,7 +254,6 @@ TEST_CASE("Pictures: an automaton", "[.pictures]") {
 TEST_CASE("Pictures: messages, and a run that goes on", "[.pictures]") {
   Window window(world_file("flock"));
   resize(window);
-  window.choose(window->scene().stage().bodies().front().path);
   show_dock(window.window(), "dock_sensors");
   play_until(window, 3.0);
   keep(window, "messages");
