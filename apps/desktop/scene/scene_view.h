@@ -1,5 +1,5 @@
 // The main view: the world in three dimensions, in real time. scene_view_input.cpp handles the
-// mouse and keys.
+// mouse and keys; scene_view_selection.cpp draws what is selected.
 #pragma once
 
 #include <QElapsedTimer>
