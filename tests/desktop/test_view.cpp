@@ -1,6 +1,7 @@
 // The main view: camera, overlays, handles and keys, by real mouse events.
 #include <QImage>
 #include <cmath>
+#include <numbers>
 
 #include <catch2/catch.hpp>
 
@@ -304,6 +305,35 @@ TEST_CASE("A field lies over the floor in the view while the world runs") {
     return image.pixels && image.size.x == 4.0 && image.pixels->pixel(3, 3)[2] > 200 &&
            image.pixels->pixel(3, 3)[0] < 40;
   }));
+}
+
+TEST_CASE("A dashed circle shows how far the selected robot perceives its team") {
+  Room window(QString(kSeeing).replace("team=\"red\"", "team=\"red\" coverage=\"0.9\""));
+  auto& scene = window->scene();
+  scene.look(OrbitCamera::kFromTop);
+  const auto dashes = [&] {
+    const QImage image = scene.grab().toImage();
+    int count = 0;
+    for (int i = 0; i < 60; ++i) {
+      const double angle = 2.0 * std::numbers::pi * (i + 0.25) / 60;
+      const auto at = scene.camera().project(
+          {-1.0 + 0.9 * std::cos(angle), 0.9 * std::sin(angle), 0.0}, scene.size());
+      REQUIRE(at);
+      bool is_orange = false;
+      for (int x = -1; x <= 1; ++x) {
+        for (int y = -1; y <= 1; ++y) {
+          const QColor pixel =
+              image.pixelColor(at->toPoint() * image.devicePixelRatio() + QPoint(x, y));
+          is_orange = is_orange || pixel.red() - pixel.blue() > 60;
+        }
+      }
+      count += is_orange ? 1 : 0;
+    }
+    return count;
+  };
+  CHECK(dashes() < 5);
+  window.choose("robot[r1]");
+  CHECK(dashes() > 50);
 }
 
 TEST_CASE("What robots shine is drawn as lamps are") {

@@ -122,6 +122,7 @@ TEST_CASE("A scene says what is a wheel or a wall, where goals are, and where se
   CHECK(roles["wall"] == 4);
   CHECK(roles["chassis"] == 2);
   CHECK(roles["wheel"] == 4);
+  CHECK(scene["bodies"][0]["coverage"] == 0.5);
   REQUIRE(scene["goals"].size() == 2);
   CHECK(scene["goals"][0] ==
         test::Json{{"at", {1.0, 0.5}}, {"radius", 0.3}, {"body", -1}, {"whose", "r1"}});

@@ -152,6 +152,7 @@ class SceneView : public QWidget {
   bool is_dark() const;
   void paint(QPainter& painter, bool with_handles);
   void paint_selection(QPainter& painter, const OverlayPainter& over) const;
+  void paint_coverage(QPainter& painter, const OverlayPainter& over, const Stage::Body& body) const;
   QString note_text() const;
   void paint_locks(QPainter& painter) const;
   void paint_ghost(QPainter& painter, const OverlayPainter& over, const Stage::Solid& solid) const;

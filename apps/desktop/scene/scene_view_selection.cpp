@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "paint/padlock.h"
 #include "scene/overlay_painter.h"
@@ -110,6 +111,7 @@ void SceneView::paint_selection(QPainter& painter, const OverlayPainter& over) c
   const bool is_dragged = is_selection_dragged();
   for (const QString& path : selection_) {
     const bool is_moved = is_dragged && !locked_.contains(path);
+    if (const Stage::Body* body = stage_.body_of(path)) paint_coverage(painter, over, *body);
     for (const Stage::Solid& solid : stage_.solids()) {
       if (solid.path != path || !stage_.is_present(solid) ||
           std::min({solid.shape.size.x, solid.shape.size.y}) < 0.005) {
@@ -128,6 +130,22 @@ void SceneView::paint_selection(QPainter& painter, const OverlayPainter& over) c
     return;
   }
   paint_handles(painter);
+}
+
+/// A dashed circle on the floor, within which the robot perceives its team.
+void SceneView::paint_coverage(QPainter& painter, const OverlayPainter& over,
+                               const Stage::Body& body) const {
+  if (!body.is_present || body.coverage <= 0.0) {
+    return;
+  }
+  constexpr int kDashes = 60;
+  painter.setPen(QPen(kSelected, 1.0));
+  const auto place = [&](double dash) {
+    const double angle = 2.0 * std::numbers::pi * dash / kDashes;
+    return Vector3{body.frame.origin.x + body.coverage * std::cos(angle),
+                   body.frame.origin.y + body.coverage * std::sin(angle), 0.0};
+  };
+  for (int dash = 0; dash < kDashes; ++dash) over.line(place(dash), place(dash + 0.5));
 }
 
 /// What a hand drags, but for the body itself: nothing is drawn over that. A thing that is small on

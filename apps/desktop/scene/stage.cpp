@@ -218,7 +218,12 @@ void Stage::read(const Json& scene) {
   has_fields_ = scene.value("has_fields", false);
   has_actuators_ = scene.value("has_actuators", false);
   for (const Json& each : scene.at("bodies")) {
-    bodies_.push_back({text_of(each, "path"), integer_of(each, "vehicle", 0), {}, {}, true});
+    bodies_.push_back({text_of(each, "path"),
+                       integer_of(each, "vehicle", 0),
+                       {},
+                       {},
+                       true,
+                       number_of(each, "coverage")});
   }
   std::set<std::size_t> has_colour;
   for (const Json& each : scene.at("shapes")) {

@@ -23,6 +23,7 @@ class Stage {
     Colour colour;  // of its first solid
     Frame frame;
     bool is_present = true;
+    double coverage = 0.0;  // m, of a robot: how far it perceives its team
 
     /// Whether this is the first vehicle of a robot's train.
     bool is_robot() const { return vehicle == 0 && path.startsWith("robot["); }

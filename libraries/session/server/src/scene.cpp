@@ -157,7 +157,10 @@ Json scene_json(const simulation::Simulation& simulation) {
     for (std::size_t vehicle = 0; vehicle < plan.vehicles(); ++vehicle) {
       ++body;
       bodies.push_back({{"path", path("robot", robot.id)}, {"vehicle", vehicle}});
-      if (vehicle == 0) list_sensors(simulation, i, body, sensors);
+      if (vehicle == 0) {
+        bodies.back()["coverage"] = robot.coverage;
+        list_sensors(simulation, i, body, sensors);
+      }
       for (const Part& part : world::vehicle_of(plan, vehicle)) {
         shapes.push_back(
             json(part.shape, part.frame, part.role == PartRole::chassis ? colour : kTyre, body));
