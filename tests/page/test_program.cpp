@@ -87,6 +87,7 @@ ELSIE_BEHAVIOR(Fails, "fails", "Fails");
   <coordinator><arbiter_suppression/></coordinator></robot></robots></world>)");
   here.elsie("run fails.xml --plugin fails.cpp --record fails.mcap --quiet");
   CHECK(here.elsie("page fails.mcap").exit_code == 0);
+  CHECK_THAT(here.read("fails.html"), Catch::Contains("<h1>fails</h1>"));
   CHECK_THAT(here.read("fails.html"),
              Catch::Contains("stopped after 0.3 s: plugin 'fails' of robot") &&
                  Catch::Contains("enough is enough"));

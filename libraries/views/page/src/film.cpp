@@ -192,7 +192,8 @@ PageRun Film::page_run(const RecordedRun& whole, double end_s, const std::vector
   PageRun run;
   run.data = packed_data(fixed, layers, most_bytes);
   run.poses_every_s = whole.period_s * poses_.every();
-  run.title = escaped(whole.world.empty() ? "a run" : whole.world);
+  const std::string file = std::filesystem::path(whole.world_file).stem().string();
+  run.title = escaped(!whole.world.empty() ? whole.world : !file.empty() ? file : "a run");
   run.summary = escaped(subtitle(whole));
   run.outcome = escaped(whole.result ? whole.result->outcome : "none");
   Facts facts = more;
