@@ -61,8 +61,7 @@ class Workbench : public QObject {
   /// @{
   /// Opens this text as a new world, which replaces the present one.
   void open_text(const QString& text, const QString& file, bool is_saved = true,
-                 bool is_borrowed = false,
-                 const QStringList& plugins = {});
+                 bool is_borrowed = false, const QStringList& plugins = {});
   /// Opens a file. Returns false, with a sentence, if it cannot be read; then nothing has changed.
   /// `seed` is the new seed; without it the seed stays.
   bool open(const QString& file, QString& why, std::optional<std::uint64_t> seed = {},

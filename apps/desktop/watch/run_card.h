@@ -59,7 +59,7 @@ class StuckNotice : public Card {
   QPushButton* select_;
   QString robot_;  // the first that is stuck
   Json stuck_ = Json::array();
-  int count_ = 0;  // of those that are asked to move, also beyond the list
+  int count_ = 0;      // of those that are asked to move, also beyond the list
   QStringList known_;  // who is stuck and why, without times
   int second_ = 0;
 };

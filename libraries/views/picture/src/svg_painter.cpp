@@ -62,8 +62,7 @@ void SvgPainter::clip(const std::string& path, const Rect& box) {
     const std::string x = number(box.x), y = number(box.y);
     const std::string width = number(box.width), height = number(box.height);
     body_ += "<svg x=\"" + x + "\" y=\"" + y + "\" width=\"" + width + "\" height=\"" + height +
-             "\" viewBox=\"" + x + " " + y + " " + width + " " + height +
-             "\" overflow=\"hidden\">";
+             "\" viewBox=\"" + x + " " + y + " " + width + " " + height + "\" overflow=\"hidden\">";
     return;
   }
   const std::string name = "clip" + std::to_string(++clips_);
