@@ -145,8 +145,9 @@ class Player {
       for (std::size_t i = 0; i < ways_.size(); ++i) {
         if (ways_[i].is_there(time_s)) run_.robots.push_back(at(i, time_s, tracks[i]));
       }
-      for (const auto& [id, held] : held_)
+      for (const auto& [id, held] : held_) {
         run_.moved[id] = absolute(pose_of(held.first, time_s), held.second);
+      }
       see(run_);
     }
     run_.events = stored_.events;

@@ -161,8 +161,9 @@ class WatchedPaths {
     for (std::size_t i = 0; i < watched_.size(); ++i) {
       if (watched_[i].directory.path == file && watched_[i].is_refused) return true;
       for (const plugin::FileReport& each : report.directories[i].files) {
-        if (each.is_former && (each.path == file || watched_[i].directory.path == file))
+        if (each.is_former && (each.path == file || watched_[i].directory.path == file)) {
           return true;
+        }
       }
     }
     return false;
