@@ -84,7 +84,9 @@ TEST_CASE("A recording is kept when a plugin fails, and says so") {
   CHECK(run.exit_code == 3);
   const auto replay = here.elsie("replay run.mcap");
   CHECK(replay.exit_code == 0);
-  CHECK_THAT(replay.out, Catch::Contains("\nstopped after 0.5 s\n") && Catch::Contains("complete"));
+  CHECK_THAT(replay.out,
+             Catch::Contains("\nstopped after 0.5 s: plugin 'throwing' of robot 'r1' failed") &&
+                 Catch::Contains("complete"));
 }
 
 TEST_CASE("Files that cannot be replayed are refused in a sentence") {

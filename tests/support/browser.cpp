@@ -16,6 +16,10 @@ namespace {
 
 using nlohmann::json;
 
+// Of the clock, for a page's answer; of the browser's own time, before a picture is taken.
+constexpr const char* kPatience = "--timeout=60000 ";
+constexpr const char* kOpen = "--virtual-time-budget=5000 ";
+
 std::string content(const std::filesystem::path& file) {
   std::ostringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();
@@ -46,7 +50,8 @@ json Browser::look(int width, const std::string& flags, const std::string& addre
       << content(source_path(setup_.script)) << "</script>" << html.substr(head);
   const std::string dom =
       run("checked.html" + address, width, 900,
-          "--dump-dom --log-net-log=net.json --net-log-capture-mode=Everything " + flags);
+          std::string(kPatience) +
+              "--dump-dom --log-net-log=net.json --net-log-capture-mode=Everything " + flags);
   const std::string mark = "<pre id=\"found\">";
   const std::size_t from = dom.find(mark);
   INFO(log());
@@ -62,7 +67,8 @@ json Browser::look(int width, const std::string& flags, const std::string& addre
 
 std::filesystem::path Browser::shoot(const std::string& name, int width, int height,
                                      const std::string& flags, const std::string& address) {
-  run("page.html" + address, width, height, "--screenshot=" + name + " " + flags);
+  run("page.html" + address, width, height,
+      std::string(kOpen) + "--screenshot=" + name + " " + flags);
   return folder_ / name;
 }
 
@@ -106,25 +112,29 @@ std::vector<std::string> Browser::network() const {
 
 std::string Browser::log() const { return content(folder_ / "log.txt"); }
 
-// The page is in a frame, because a window of the browser is never narrower than 500 pixels.
+// The page is in a frame, because a window of the browser is never narrower than 500 pixels. A
+// second frame, whose document stays open, is loading until the page has answered.
 std::string Browser::run(const std::string& page, int width, int height, const std::string& flags) {
   std::ofstream(folder_ / "frame.html")
       << "<!doctype html><meta name=\"color-scheme\" content=\"light dark\"><body "
          "style=\"margin:0\"><iframe src=\"" +
              page + "\" style=\"border:0;display:block;width:" + std::to_string(width) +
              "px;height:" + std::to_string(height) +
-             "px\"></iframe><pre id=\"found\"></pre><script>addEventListener('message', (e) => "
-             "document.getElementById('found').textContent = e.data)</script></body>";
+             "px\"></iframe><pre id=\"found\"></pre>"
+             "<iframe id=\"hold\" style=\"display:none\"></iframe><script>"
+             "const hold = document.getElementById('hold').contentDocument;" +
+             (flags.find("--dump-dom") == std::string::npos ? "" : "hold.open();") +
+             "addEventListener('message', (e) => {"
+             "document.getElementById('found').textContent = e.data; hold.close(); })"
+             "</script></body>";
   const std::string command =
       "cd '" + folder_.string() + "' && rm -rf profile && timeout 120 chromium --headless " +
       "--no-sandbox --disable-quic --no-first-run --disable-background-networking "
       "--disable-component-update --disable-sync --disable-extensions "
       "--disable-features=NetworkTimeServiceQuerying --hide-scrollbars --enable-logging=stderr "
-      "--virtual-time-budget=" +
-      std::to_string(setup_.time_ms) +
-      " --user-data-dir=profile --window-size=" + std::to_string(std::max(width, 500)) + "," +
-      std::to_string(height) + " " + setup_.flags + " " + flags + " 'file://" +
-      (folder_ / "frame.html").string() + "' > out.txt 2> log.txt";
+      "--user-data-dir=profile --window-size=" +
+      std::to_string(std::max(width, 500)) + "," + std::to_string(height) + " " + setup_.flags +
+      " " + flags + " 'file://" + (folder_ / "frame.html").string() + "' > out.txt 2> log.txt";
   const int status = std::system(command.c_str());
   INFO(log());
   REQUIRE(status == 0);

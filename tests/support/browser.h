@@ -15,8 +15,6 @@ class Browser {
     std::string folder;  // for the page and pictures of it, in the build folder
     std::string script;  // looks at the page and posts its findings to the outer page as JSON
     std::string flags;   // of Chromium
-    /// The window must be open for so long, in ms of its own clock.
-    int time_ms = 5000;
   };
   Browser(const std::string& html, Setup setup);
 

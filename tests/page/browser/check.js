@@ -2,7 +2,7 @@
 "use strict";
 addEventListener("load", async () => {
   const found = { errors: window.pageErrors, width: innerWidth };
-  const frame = () => new Promise((go) => setTimeout(go, 60));  // of the browser's virtual time, so that what is due is drawn
+  const frame = () => new Promise((go) => requestAnimationFrame(() => requestAnimationFrame(go)));  // what is due is drawn
   const press = (key, more = {}) => document.body.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true, ...more }));
   const page = window.elsie;
   try {

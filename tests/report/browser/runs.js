@@ -3,7 +3,7 @@
 addEventListener("load", async () => {
   const found = { errors: window.pageErrors, width: innerWidth };
   const until = async (is_so) => {
-    for (let i = 0; i < 200 && !is_so(); ++i) await new Promise((go) => requestAnimationFrame(() => setTimeout(go, 20)));
+    for (let i = 0; i < 2000 && !is_so(); ++i) await new Promise(requestAnimationFrame);
     return Boolean(is_so());
   };
   try {

@@ -140,10 +140,9 @@ MadeExperiment driving() {
 
 json play(const std::string& html, int width, const std::string& flags,
           const std::string& address = "") {
-  Browser browser(html, {.folder = "tests/report/browser",
-                         .script = "tests/report/browser/runs.js",
-                         .flags = flags,
-                         .time_ms = 15'000});
+  Browser browser(
+      html,
+      {.folder = "tests/report/browser", .script = "tests/report/browser/runs.js", .flags = flags});
   const json found = browser.look(width, "", address);
   INFO(found.dump(1));
   INFO(browser.log());
