@@ -65,8 +65,9 @@ void draw_time_marks(Canvas& canvas, const Scene& scene, const Layout& layout,
                      const DrawnRobot& robot) {
   const auto& path = robot.track.path;
   const double poses_apart = scene.mark_every_s / scene.path_period_s;
-  for (double i = poses_apart; i < static_cast<double>(path.size()); i += poses_apart) {
-    const Pose& pose = path[static_cast<std::size_t>(i + 1e-6)];
+  constexpr double kNearly = 1e-6;  // a pose that is due a rounding error later is meant
+  for (double i = poses_apart + kNearly; i < static_cast<double>(path.size()); i += poses_apart) {
+    const Pose& pose = path[static_cast<std::size_t>(i)];
     canvas.circle(at(layout, pose), 2.8).fill_keep(kPaper);
     canvas.stroke(robot.ink, {.width = 1.5});
   }
