@@ -31,8 +31,8 @@ world::World empty_world() {
   return world;
 }
 
-Image picture_of(const world::World& world, const View& view, const Look& look = {}) {
-  return take(WorldScene(world, look).scene(), view);
+Image picture_of(const world::World& world, const View& view, Viewer viewer = Viewer::camera) {
+  return take(WorldScene(world, viewer).scene(), view);
 }
 
 bool is_grey(const Colour& colour) {
@@ -69,9 +69,9 @@ TEST_CASE("Floor, sky, walls, obstacles and robots of any team have no hue") {
   CHECK(coloured_pixels(picture) == 0);
   // All are darker than white in the shade.
   CHECK(*std::max_element(picture.bytes.begin(), picture.bytes.end()) < 255 * kDarkestShade);
-  // Robots stand out from the floor, and for viewers they can have their team's colour.
+  // Robots stand out from the floor, and to people they have their team's colour.
   CHECK(differing_pixels(picture, picture_of(empty_world(), view)) > 500);
-  const Image for_people = picture_of(world, view, {.team_coloured_robots = true});
+  const Image for_people = picture_of(world, view, Viewer::person);
   CHECK(find(for_people, world::kRedTeam).area > 50);
   CHECK(find(for_people, {20, 180, 40}).area > 50);
 }
@@ -189,7 +189,7 @@ TEST_CASE("A round robot is as wide from every side, and round from above") {
   body.round = true;
   body.length = body.width = 0.1;
   body.axle = 0.08;
-  WorldScene scene(world, {.team_coloured_robots = true});
+  WorldScene scene(world, Viewer::person);
   const auto width_from = [&](double degrees_) {
     const Vector3 at{-std::cos(radians(degrees_)), -std::sin(radians(degrees_)), 0.06};
     const Patch seen = find(take(scene.scene(), view_from(at, degrees_)), world::kRedTeam);
@@ -212,7 +212,7 @@ TEST_CASE("A robot's segments are drawn behind it, and are not in its own pictur
   world.robots[0].segments.resize(2);
   const auto couplings =
       world::couplings(world::plan_of(world.robots[0].body, {}), world.robots[0].segments);
-  WorldScene scene(world, {.team_coloured_robots = true});
+  WorldScene scene(world, Viewer::person);
   const auto& boxes = scene.scene().boxes;
   REQUIRE(boxes.size() == 4 + 3);
   CHECK(scene.scene().cylinders.size() == 6);
@@ -316,13 +316,12 @@ TEST_CASE("A robot with a colour has it, and lights are seen where they shine") 
   robot.x = 1.0;
   world.robots.push_back(robot);
   const View view{Frame::turned({-1.0, 0.0, 0.1}, 0.0, 0.0), {200, 200, radians(60.0)}};
-  const Look plain;
-  CHECK(coloured_pixels(picture_of(world, view, plain)) == 0);
-  WorldScene scene(world, plain);
+  CHECK(coloured_pixels(picture_of(world, view)) == 0);
+  WorldScene scene(world);
   scene.show_lights({{{0, {1.0, 0.0, 0.15}, Colour{255, 0, 0}}}});
   CHECK(coloured_pixels(take(scene.scene(), view)) > 0);
   scene.show_lights({});
   CHECK(coloured_pixels(take(scene.scene(), view)) == 0);
   world.robots[0].colour = Colour{20, 180, 40};
-  CHECK(coloured_pixels(picture_of(world, view, plain)) > 20);
+  CHECK(coloured_pixels(picture_of(world, view)) > 20);
 }

@@ -93,7 +93,7 @@ Colour resource_colour(const World& world, const Obstacle& resource) {
   return resource.team.empty() ? kResourceOfNoTeam : team_colour(world, resource.team);
 }
 
-Colour box_colour(const World& world, const Obstacle& obstacle, const BoxColours& otherwise) {
+Colour box_colour(const World& world, const Obstacle& obstacle, const Colours& otherwise) {
   if (obstacle.kind == ObstacleKind::resource) return resource_colour(world, obstacle);
   return obstacle.colour.value_or(obstacle.kind == ObstacleKind::fixed     ? otherwise.fixed
                                   : obstacle.kind == ObstacleKind::dynamic ? otherwise.dynamic

@@ -21,7 +21,7 @@ Things::Things(const World& world) : world_(world), floor_(world) {
 
 Thing Things::obstacle(const Obstacle& obstacle) const {
   if (obstacle.kind != ObstacleKind::resource) {
-    return {Thing::Kind::obstacle, obstacle.id, {}, box_colour(world_, obstacle, kSeenBoxes)};
+    return {Thing::Kind::obstacle, obstacle.id, {}, box_colour(world_, obstacle, kSeen)};
   }
   return {Thing::Kind::resource, obstacle.id, obstacle.team, resource_colour(world_, obstacle)};
 }
@@ -38,7 +38,7 @@ Thing Things::of(const Surface& surface) const {
     case Surface::Kind::floor:
       return {Thing::Kind::floor, {}, {}, world_.floor.colour.value_or(kPlainFloor)};
     case Surface::Kind::wall:
-      return {Thing::Kind::wall, {}, {}, kSeenWall};
+      return {Thing::Kind::wall, {}, {}, kSeen.wall};
     case Surface::Kind::robot:
       return robot(surface.index);
     case Surface::Kind::obstacle:

@@ -16,10 +16,6 @@
 namespace elsie::server {
 namespace {
 
-constexpr world::BoxColours kBoxes{{0x8a, 0x8f, 0x98}, {0xb0, 0x8d, 0x57}, {0x7a, 0x5c, 0xa8}};
-constexpr Colour kWall{0xb8, 0xbd, 0xc4};
-constexpr Colour kTyre{0x20, 0x20, 0x20};
-
 Json json(const Vector3& vector) { return {vector.x, vector.y, vector.z}; }
 
 Json json(const Frame& frame) {
@@ -142,7 +138,7 @@ Json scene_json(const simulation::Simulation& simulation) {
     shapes.back()["path"] = path("lamp", lamp.id);
   }
   for (const world::Fixture& wall : world::walls_of(world.arena)) {
-    shapes.push_back(json(wall.shape, wall.frame, kWall, body));
+    shapes.push_back(json(wall.shape, wall.frame, world::kShown.wall, body));
     shapes.back()["role"] = "wall";
   }
   for (const world::Charger& charger : world.chargers) {
@@ -162,8 +158,8 @@ Json scene_json(const simulation::Simulation& simulation) {
         list_sensors(simulation, i, body, sensors);
       }
       for (const Part& part : world::vehicle_of(plan, vehicle)) {
-        shapes.push_back(
-            json(part.shape, part.frame, part.role == PartRole::chassis ? colour : kTyre, body));
+        shapes.push_back(json(part.shape, part.frame,
+                              part.role == PartRole::chassis ? colour : world::kShown.tyre, body));
         shapes.back()["role"] = name_of(part.role);
       }
     }
@@ -172,7 +168,7 @@ Json scene_json(const simulation::Simulation& simulation) {
     const Shape shape = world::fixture_of(box).shape;
     bodies.push_back({{"path", path(group_of(box), box.id)}});
     shapes.push_back(json(shape, {.origin = {0.0, 0.0, 0.5 * shape.size.z}},
-                          world::box_colour(world, box, kBoxes), ++body));
+                          world::box_colour(world, box, world::kShown), ++body));
   }
   return {{"arena", {world.arena.length, world.arena.width}},
           {"floor", floor_json(world)},

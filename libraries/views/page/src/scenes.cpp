@@ -18,10 +18,6 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr int kFixed = -1;  // the body of what stays
-// A light room, in which the colours of teams stand out.
-constexpr render::Look kLook{.team_coloured_robots = true,
-                             .walls = {0xc9, 0xcd, 0xd2},
-                             .boxes = {{0xa8, 0x9d, 0x90}, {0xd9, 0xb4, 0x6c}, {0x9d, 0x83, 0xb8}}};
 
 double short_number(double value) { return std::round(value * 1e5) / 1e5; }
 
@@ -127,7 +123,7 @@ ordered_json places_json(const world::World& world) {
 
 std::string scene_text(const world::World& world, Bodies& bodies,
                        std::vector<std::string>& images) {
-  render::WorldScene whole(world, kLook);
+  render::WorldScene whole(world, render::Viewer::person);
   Movers movers(whole.scene());
   for (std::size_t i = 0; i < world.robots.size(); ++i) {
     const std::string& id = world.robots[i].id;

@@ -18,9 +18,6 @@ namespace {
 using world::World;
 
 constexpr Colour kFloor{0xf2, 0xf2, 0xf0};
-constexpr Colour kWall{0x9a, 0x9f, 0xa6};
-constexpr world::BoxColours kBoxes{{0x8a, 0x8f, 0x98}, {0xb0, 0x8d, 0x57}, {0x7a, 0x5c, 0xa8}};
-constexpr Colour kTyre{0x20, 0x20, 0x20};
 constexpr Colour kInk{0x20, 0x24, 0x28};
 constexpr double kSheet = 0.002;  // m, the drawn thickness of floor and marks
 
@@ -84,7 +81,7 @@ Json arena(std::uint64_t time_ns, const World& world) {
   add_shape(made, Shape::box({arena.length, arena.width, kSheet}),
             {.origin = {0.0, 0.0, -0.5 * kSheet}}, world.floor.colour.value_or(kFloor));
   for (const world::Fixture& wall : world::walls_of(arena)) {
-    add_shape(made, wall.shape, wall.frame, kWall);
+    add_shape(made, wall.shape, wall.frame, world::kShown.wall);
   }
   return made;
 }
@@ -161,7 +158,7 @@ Json box(std::uint64_t time_ns, const World& world, const world::Obstacle& box) 
   const world::Fixture fixture = world::fixture_of(box);
   add_shape(made, fixture.shape,
             moves ? Frame{.origin = {0.0, 0.0, 0.5 * fixture.shape.size.z}} : fixture.frame,
-            world::box_colour(world, box, kBoxes));
+            world::box_colour(world, box, world::kShown));
   const Pose start = picture::start_of(box);
   const Json place{start.x, start.y, start.heading_rad};
   made["metadata"].push_back({{"key", kStart}, {"value", text_of(place)}});
@@ -187,7 +184,7 @@ void add_robot(Json& entities, std::uint64_t time_ns, const World& world,
   }
   for (const Part& part : plan.parts) {
     add_shape(vehicles[part.vehicle], part.shape, part.frame,
-              part.role == PartRole::chassis ? colour : kTyre);
+              part.role == PartRole::chassis ? colour : world::kShown.tyre);
   }
   vehicles[0]["texts"].push_back(name_json(robot.id, {0.0, 0.0, robot.body.top() + 0.08}));
   for (Json& vehicle : vehicles) entities.push_back(std::move(vehicle));

@@ -11,12 +11,12 @@ constexpr Colour grey(std::uint8_t brightness) { return {brightness, brightness,
 constexpr Colour kFloor = grey(80);
 constexpr Colour kSky = grey(140);
 constexpr Colour kChassis = grey(120);
-constexpr Colour kTyre = grey(25);
 constexpr int kRoundPatch = 32;  // corners of a round patch
 
 }  // namespace
 
-WorldScene::WorldScene(const world::World& world, const Look& look) {
+WorldScene::WorldScene(const world::World& world, Viewer viewer) {
+  const world::Colours& colours = viewer == Viewer::person ? world::kShown : world::kSeen;
   scene_.floor = world.floor.colour.value_or(kFloor);
   scene_.sky = kSky;
   scene_.image = {world::image_size(world), world.floor.pixels};
@@ -28,7 +28,7 @@ WorldScene::WorldScene(const world::World& world, const Look& look) {
         lamp.colour);
   }
   for (const world::Fixture& wall : world::walls_of(world.arena)) {
-    add(scene_, wall.shape, wall.frame, look.walls);
+    add(scene_, wall.shape, wall.frame, colours.wall);
   }
   for (const world::Charger& charger : world.chargers) {
     const world::Fixture fixture = world::fixture_of(charger);
@@ -42,25 +42,25 @@ WorldScene::WorldScene(const world::World& world, const Look& look) {
   for (const world::Obstacle& box : world.obstacles) {
     world::Fixture fixture = world::fixture_of(box);
     boxes_.push_back(add(scene_, fixture.shape, {.origin = {0.0, 0.0, 0.5 * fixture.shape.size.z}},
-                         world::box_colour(world, box, look.boxes)));
+                         world::box_colour(world, box, colours)));
     fixture.frame.origin = {box.x, box.y, box.z};
     put(scene_, boxes_.back(), fixture.frame);
   }
   for (const world::Robot& robot : world.robots) {
-    const bool is_grey = !look.team_coloured_robots && !robot.colour;
-    add_robot(robot, is_grey ? kChassis : world::robot_colour(world, robot));
+    const bool is_grey = viewer == Viewer::camera && !robot.colour;
+    add_robot(robot, is_grey ? kChassis : world::robot_colour(world, robot), colours.tyre);
   }
   lights_from_ = scene_.balls.size();
 }
 
-void WorldScene::add_robot(const world::Robot& robot, const Colour& colour) {
+void WorldScene::add_robot(const world::Robot& robot, const Colour& colour, const Colour& tyre) {
   const std::size_t index = robots_.size();
   const BodyPlan plan = world::plan_of(robot);
   std::vector<Body>& vehicles = robots_.emplace_back(plan.vehicles());
   for (const Part& part : plan.parts) {
     if (part.role == PartRole::caster) continue;  // out of sight below the chassis
     const Body made =
-        add(scene_, part.shape, part.frame, part.role == PartRole::wheel ? kTyre : colour, index);
+        add(scene_, part.shape, part.frame, part.role == PartRole::wheel ? tyre : colour, index);
     Body& vehicle = vehicles[part.vehicle];
     vehicle.insert(vehicle.end(), made.begin(), made.end());
   }

@@ -11,14 +11,11 @@ namespace elsie::world {
 inline constexpr Colour kRedTeam{0xd0, 0x30, 0x30};
 inline constexpr Colour kBlueTeam{0x30, 0x60, 0xd0};
 
-/// A resource that belongs to no team: a green whose hue is far from those of the two teams and
-/// from the yellow of chargers.
+/// A resource of no team: a green, far from the hues of both teams and of chargers.
 inline constexpr Colour kResourceOfNoTeam{0x2e, 0x9e, 0x4f};
 
-/// The colour of chargers of any team.
+/// The colour of chargers of any team, and, a grey, that of everything else without a team.
 inline constexpr Colour kChargerColour{0xff, 0xd0, 0x00};
-
-/// The colour of everything else without a team: a grey.
 inline constexpr Colour kNoTeam{0x6b, 0x72, 0x7a};
 
 /// Gives a colour to every team without one. "red" and "blue" get red and blue. The other teams, in
@@ -36,15 +33,18 @@ Colour robot_colour(const World& world, const Robot& robot);
 /// The colour of a resource in full light: its own, else its team's, else kResourceOfNoTeam.
 Colour resource_colour(const World& world, const Obstacle& resource);
 
-/// The colours of boxes that have none of their own, by kind.
-struct BoxColours {
-  Colour fixed, dynamic, moving;
+/// The colours of walls, of tyres and, by kind, of boxes that have none of their own.
+struct Colours {
+  Colour wall, tyre, fixed, dynamic, moving;
 };
-/// What cameras and other sensors see of walls and of boxes without a colour.
-inline constexpr Colour kSeenWall{130, 130, 130};
-inline constexpr BoxColours kSeenBoxes{{115, 115, 115}, {85, 85, 85}, {70, 70, 70}};
-/// The colour of a box in full light: its own, else resource_colour() for a resource, else the
-/// colour of its kind.
-Colour box_colour(const World& world, const Obstacle& obstacle, const BoxColours& otherwise);
+/// To cameras and other sensors: greys.
+inline constexpr Colours kSeen{
+    {130, 130, 130}, {25, 25, 25}, {115, 115, 115}, {85, 85, 85}, {70, 70, 70}};
+/// To people: a light room, in which the colours of teams stand out.
+inline constexpr Colours kShown{
+    {201, 205, 210}, {32, 32, 32}, {168, 157, 144}, {217, 180, 108}, {157, 131, 184}};
+
+/// The colour of a box in full light: its own, that of a resource, or that of its kind.
+Colour box_colour(const World& world, const Obstacle& obstacle, const Colours& otherwise);
 
 }  // namespace elsie::world

@@ -1,4 +1,4 @@
-// A world as cameras see it.
+// A world as cameras and people see it. To cameras:
 //
 // Floor, sky, walls, robots and obstacles without a colour are grey, no brighter than 0.55 of full
 // light, so that coloured and white things stand out. Resources have their colour or their team's
@@ -21,19 +21,14 @@
 
 namespace elsie::render {
 
-struct Look {
-  /// Chassis in their team's colour, for viewers rather than cameras.
-  bool team_coloured_robots = false;
-  // Of walls, and of boxes without a colour.
-  Colour walls = world::kSeenWall;
-  world::BoxColours boxes = world::kSeenBoxes;
-};
+/// A person sees world::kShown instead of greys, and robots in the colours of their teams.
+enum class Viewer { camera, person };
 
 /// The scene of a world. Robots are the carriers of their bodies, by their index in the world.
 class WorldScene {
  public:
   /// Everything is at its start.
-  explicit WorldScene(const world::World& world, const Look& look = {});
+  explicit WorldScene(const world::World& world, Viewer viewer = Viewer::camera);
 
   /// Moves a robot: the frame's origin is on the floor below the middle of its axle. Its segments
   /// stay in place.
@@ -57,7 +52,7 @@ class WorldScene {
   const std::vector<std::vector<Body>>& robots() const { return robots_; }
 
  private:
-  void add_robot(const world::Robot& robot, const Colour& colour);
+  void add_robot(const world::Robot& robot, const Colour& colour, const Colour& tyre);
 
   Scene scene_;
   std::vector<Body> boxes_;
