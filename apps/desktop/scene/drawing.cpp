@@ -11,7 +11,7 @@ namespace elsie::desktop {
 namespace {
 
 constexpr Colour kGridInk{0, 0, 0};
-constexpr Colour kGoalInk{0x6a, 0x3d, 0xa8};
+constexpr Colour kGoalInk{0x00, 0x80, 0x5c};  // as in pictures from above
 constexpr Colour kSensorInk{0xe0, 0x80, 0x00};
 
 /// A closed line through points of a circle.
