@@ -23,6 +23,10 @@ inline constexpr const char* kWorkerCommand = "batch-worker";
 /// The hidden subcommand of the processes that are copied for workers.
 inline constexpr const char* kTemplateCommand = "batch-template";
 
+/// The hidden subcommand that loads a plugin's file, to see whether that ends: FILE, its name for
+/// the user, the longest time in s.
+inline constexpr const char* kLoadCommand = "load-plugin";
+
 /// The work of the chosen subcommand; returns the exit code.
 using Job = std::function<int()>;
 

@@ -1,15 +1,19 @@
 #include "environment.h"
 
+#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
+#include <stop_token>
 #include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include "elsie/base/number_text.h"
 #include "elsie/plugin/script.h"
+#include "elsie/process/run_process.h"
 #include "elsie/world/data_directories.h"
 
 #include "command.h"
@@ -163,14 +167,47 @@ plugin::Host load_plugins(const PluginOptions& options, std::optional<double> lo
   return host;
 }
 
+namespace {
+
+/// What a process of its own says that has loaded the file and was stopped, or has crashed: without
+/// the name in its first line, which may follow what the plugin has printed.
+std::string try_to_load(const fs::path& file, const fs::path& known_as,
+                        const std::stop_token& stop) {
+  const auto ended = process::run_process({"/proc/self/exe", kLoadCommand, file.string(),
+                                           known_as.string(), base::number_text(kLongestLoading_s)},
+                                          stop);
+  constexpr int kBySignal = 128;
+  if (!ended || (ended->exit_code != kPluginFailed && ended->exit_code < kBySignal)) {
+    return "";
+  }
+  const std::string said = ended->output.substr(0, ended->output.find_last_not_of('\n') + 1);
+  const std::string name = "elsie: plugin library '" + known_as.string() + "' ";
+  const std::size_t at = said.find(name);
+  return at == said.npos ? "could not be loaded by a process of its own\n" + said
+                         : said.substr(at + name.size());
+}
+
+}  // namespace
+
 std::unique_ptr<build::Watch> watch_plugins(const PluginOptions& options,
                                             const std::vector<fs::path>& drafts) {
   search_path(options);  // sources are compiled and in the cache then
   const LoadingLimit limit;
-  auto watch = std::make_unique<build::Watch>(places_of(options), build::Watch::kPeriod, drafts);
+  auto watch = std::make_unique<build::Watch>(places_of(options), build::Watch::kPeriod, drafts,
+                                              try_to_load);
   require_loaded(watch->host(), options.files);
   tell(watch->host().report());
   return watch;
+}
+
+int load_alone(const fs::path& file, const fs::path& known_as, double longest_s) {
+  const LoadingLimit limit(longest_s);
+  static const plugin::Host host({{file, "given", known_as}});  // never unloaded
+  if (getpgrp() == getpid()) {
+    std::signal(SIGTERM, SIG_IGN);
+    kill(0, SIGTERM);
+  }
+  return kSuccess;
 }
 
 std::vector<std::string> data_directories() { return world::default_data_directories(); }

@@ -39,11 +39,15 @@ build::SourceBuild compiled(const std::filesystem::path& source);
 /// them), then directories. Throws BadInput if something given on the command line cannot be used.
 std::vector<plugin::SearchDirectory> search_path(const PluginOptions& options);
 
+/// A library that takes longer to be loaded will never be.
+inline constexpr double kLongestLoading_s = 30.0;
+
 /// Loads the plugins, those given as source after compiling them; warnings go to the log, unless it
 /// is set to errors only. Throws BadInput if something given on the command line cannot be used. A
 /// library that takes longer than `longest_s` (s) to be loaded, for example in a static
 /// constructor, ends the program. None: there is a LoadingLimit already.
-plugin::Host load_plugins(const PluginOptions& options, std::optional<double> longest_s = 30.0);
+plugin::Host load_plugins(const PluginOptions& options,
+                          std::optional<double> longest_s = kLongestLoading_s);
 /// A process::Watchdog's message about a plugin: "did not return within 30 s and was stopped".
 std::string late_text(double limit_s);
 
@@ -52,15 +56,20 @@ std::string late_text(double limit_s);
 /// other plugin calls whose clock was started. Inactive under a debugger. Only one at a time.
 class LoadingLimit {
  public:
-  explicit LoadingLimit(double longest_s = 30.0);
+  explicit LoadingLimit(double longest_s = kLongestLoading_s);
 
  private:
   std::string late_;
   std::optional<process::Watchdog> watchdog_;
 };
-/// Loads the plugins likewise, and follows their files from then on.
+/// Loads the plugins likewise, and follows their files from then on. What changes is loaded by a
+/// process of its own first.
 std::unique_ptr<build::Watch> watch_plugins(const PluginOptions& options,
                                             const std::vector<std::filesystem::path>& drafts = {});
+
+/// The work of that process, kLoadCommand. Ends what the library has left behind.
+int load_alone(const std::filesystem::path& file, const std::filesystem::path& known_as,
+               double longest_s);
 
 /// world::default_data_directories()
 std::vector<std::string> data_directories();

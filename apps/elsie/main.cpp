@@ -23,9 +23,11 @@
 #include "elsie/process/crash_report.h"
 #include "elsie/process/process_end.h"
 
+#include "arguments.h"
 #include "arithmetic.h"
 #include "command.h"
 #include "command_module.h"
+#include "environment.h"
 #include "interrupts.h"
 #include "streams.h"
 #include "usage.h"
@@ -150,7 +152,12 @@ int work(int argc, char** argv) {
   keep_output(argc, argv);
   process::report_crashes(kPluginFailed);
   end_at_once_when_interrupted();
-  const int exit_code = work(argc, argv);
+  constexpr int kWordsToLoad = 5;
+  const auto longest_s = argc == kWordsToLoad && std::string_view(argv[1]) == kLoadCommand
+                             ? parse_number(argv[4])
+                             : std::nullopt;
+  const int exit_code = longest_s ? finish([&] { return load_alone(argv[2], argv[3], *longest_s); })
+                                  : work(argc, argv);
   // It does not return, so functions that plugins have registered for the end of the process do not
   // run. But their output is written.
   std::cout.flush();

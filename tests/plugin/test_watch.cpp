@@ -1,9 +1,11 @@
 // Following plugins on disk.
+#include <atomic>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 
@@ -379,4 +381,61 @@ TEST_CASE("A hundred libraries in a row leave nothing open and no copies") {
   }
   CHECK(entries("/proc/self/fd") == open_files);
   CHECK(entries(temporary.path()) == 0);
+}
+
+TEST_CASE("What does not survive a trial is not loaded, and not tried again before it changes") {
+  Folder folder;
+  folder.with("good").with("twin_a", "twin.so");
+  std::atomic<int> trials = 0;
+  fs::path tried;
+  Watch watch({{folder.path(), "given"}}, milliseconds(20), {},
+              [&](const fs::path&, const fs::path& known_as, const std::stop_token&) {
+                ++trials;
+                tried = known_as;
+                return std::string("did not return, while it was loaded\nthe stack");
+              });
+  CHECK(trials == 0);
+  write(folder / "twin.so", bytes_of(fixture("twin_b")));
+  auto renewal = found(watch);
+  CHECK_FALSE(renewal->host);
+  CHECK(renewal->kept == std::vector<fs::path>{folder / "twin.so"});
+  REQUIRE(renewal->problems.size() == 2);
+  CHECK(renewal->problems[0] == (folder / "twin.so").string() +
+                                    ": did not return, while it was loaded; the library that was "
+                                    "there before is still in use");
+  CHECK(renewal->problems[1] == "the stack");
+  CHECK(trials == 1);
+  CHECK(tried == folder / "twin.so");
+
+  // Another change does not wait for it once more.
+  fs::remove(folder / "good.so");
+  renewal = found(watch);
+  CHECK(trials == 1);
+  CHECK(twin(watch.host()) == "The first twin");
+}
+
+TEST_CASE("A trial ends when its file changes again, and with the watch") {
+  Folder folder;
+  folder.with("twin_a", "twin.so");
+  std::atomic<int> trials = 0;
+  std::optional<Watch> watch;
+  watch.emplace(std::vector<SearchDirectory>{{folder.path(), "given"}}, milliseconds(20),
+                std::vector<fs::path>(),
+                [&](const fs::path&, const fs::path&, const std::stop_token& stop) {
+                  const bool is_endless = ++trials != 2;
+                  while (is_endless && !stop.stop_requested()) {
+                    std::this_thread::sleep_for(milliseconds(1));
+                  }
+                  return std::string();
+                });
+  write(folder / "twin.so", bytes_of(fixture("inline_static")));
+  wait_until([&] { return trials == 1; });
+  write(folder / "twin.so", bytes_of(fixture("twin_b")));
+  auto renewal = found_host(*watch);
+  CHECK(renewal->problems.empty());
+  CHECK(twin(*renewal->host) == "The second twin");
+  watch->accept(*std::move(renewal));
+  write(folder / "twin.so", bytes_of(fixture("twin_a")));
+  wait_until([&] { return trials == 3; });
+  watch.reset();
 }

@@ -138,6 +138,42 @@ TEST_CASE("A plugin that joins its threads is replaced as any other; no copies a
   CHECK(rates(here.read("pace.csv")) == std::vector<double>{0.0, 5.0, 8.0});
 }
 
+TEST_CASE(
+    "A library that never finishes loading stops neither the run, nor the watch, nor Ctrl-C") {
+  Workplace here;
+  const std::string pace = block("cpp", "#include");
+  here.write("pace.cpp", pace);
+  here.write("endless.cpp",
+             "#include <fstream>\n" + pace +
+                 "[[maybe_unused]] const bool kEndless = [] {\n"
+                 "  std::ofstream(\"tried\") << 1;\n"
+                 "  for (volatile bool goes_on = true; goes_on;) {\n  }\n  return true;\n}();\n");
+  here.write("faster.cpp", replaced(pace, "speed = 5.0", "speed = 8.0"));
+  here.write("world.xml", block("", "<world"));
+  const auto run = here.sh(
+      "waits() { i=0; until \"$@\"; do i=$((i+1)); [ $i -lt 1800 ] || exit 9; sleep 0.1; done; }\n"
+      "export ELSIE_CACHE=$PWD/cache TMPDIR=$PWD/copies; mkdir copies\n"
+      "elsie run world.xml --plugin pace.cpp --watch --speed 1 --duration 3000 "
+      "--record pace.csv --record-rate 100 2> err & pid=$!\n"
+      "waits [ -s pace.csv ]\n"
+      "cp endless.cpp pace.cpp; waits [ -s tried ]\n"
+      "cp faster.cpp pace.cpp; waits grep -q 'new: pace' err; rm tried\n"
+      "cp endless.cpp pace.cpp; waits [ -s tried ]\n"
+      "kill $pid; wait $pid || echo $?\nls copies");
+  CAPTURE(run.err, here.read("err"));
+  CHECK(run.out == "4\n");
+  CHECK_THAT(here.read("err"), Contains("elsie: interrupted after "));
+  // Its name and place, as at the start of a run.
+  const auto alone = here.sh(
+      "elsie load-plugin $(find cache -name '*.so' -newer faster.cpp | xargs grep -l tried | head "
+      "-1) "
+      "pace.cpp 0.5");
+  CHECK(alone.exit_code == 3);
+  CHECK_THAT(alone.err, Contains("elsie: plugin library 'pace.cpp' did not return within 0.5 s and "
+                                 "was stopped, while it was loaded\n") &&
+                            Contains("pace.cpp:"));
+}
+
 TEST_CASE("Without a change on disk, --watch and --speed change nothing of a run") {
   Workplace here;
   const auto hash = [&](const std::string& options) {

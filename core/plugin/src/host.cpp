@@ -251,7 +251,7 @@ std::optional<LoadedFile> Host::State::load_anew(FileReport& file) {
   file.status = FileStatus::refused;
   LoadedLibrary library =
       is_script(file.path)
-          ? load_script(file.path)
+          ? load_script(file.path, copy)
           : load_library(file.path, known_as(file.path).string(), file.abi_word, copy);
   if (!library.missing.empty()) {
     file.status = FileStatus::ignored;

@@ -54,7 +54,7 @@ LoadedLibrary load_library(const std::filesystem::path& file, const std::string&
 /// Whether a script has a class that is a plugin, by its text. Throws std::runtime_error when it
 /// cannot be read.
 bool declares_plugins(const std::filesystem::path& script);
-/// Runs a script and has its plugins declared. Never throws because of the script.
-LoadedLibrary load_script(const std::filesystem::path& file);
+/// Runs a script and has its plugins declared, if `make_copy` lets it. Never throws because of it.
+LoadedLibrary load_script(const std::filesystem::path& file, const MakeCopy& make_copy);
 
 }  // namespace elsie::plugin

@@ -45,19 +45,19 @@ bool declares_plugins(const fs::path& script) {
   return false;
 }
 
-LoadedLibrary load_script(const fs::path& file) {
+LoadedLibrary load_script(const fs::path& file, const MakeCopy& make_copy) {
   LoadedLibrary loaded;
   const std::string name = file.string();
   Call call({.library = name.c_str(), .doing = "while it was loaded"});
   call.start_clock();
   const fs::path part = part_file("python");
-  std::error_code error;
   Script script;
-  if (!fs::exists(part, error)) {
+  if (std::error_code error; !fs::exists(part, error)) {
     loaded.missing = "this Elsie was built without Python";
     return loaded;
   }
   try {
+    if (make_copy) make_copy(file);
     reinterpret_cast<LoadScript>(part_symbol("plugins in Python", part, ELSIE_LOAD_SCRIPT))(file,
                                                                                             script);
     loaded.library = std::make_shared<const Library>(name, std::move(script.kept));

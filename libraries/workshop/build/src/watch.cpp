@@ -5,14 +5,18 @@
 #include <condition_variable>
 #include <csignal>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <set>
+#include <stdexcept>
 #include <stop_token>
 #include <thread>
 #include <utility>
 
 #include "elsie/build/private_copy.h"
+#include "elsie/plugin/file_fingerprint.h"
 #include "elsie/plugin/kind_name.h"
+#include "elsie/plugin/script.h"
 
 #include "watched_paths.h"
 
@@ -54,15 +58,16 @@ void merge(Items& items, Items others) {
 class Watch::Impl {
  public:
   Impl(std::vector<plugin::SearchDirectory> directories, std::chrono::milliseconds period,
-       const std::vector<fs::path>& drafts)
-      : watched_(std::move(directories)), period_(period) {
+       const std::vector<fs::path>& drafts, Trial trial)
+      : watched_(std::move(directories)), period_(period), trial_(std::move(trial)) {
     Renewal refused;
     for (const fs::path& draft : drafts) {
       watched_.add(draft, stop_.get_token(), refused);
     }
     seen_ = watched_.look();  // first, so that changes while it is loaded are noticed
     watched_.refresh();       // changes before that look
-    in_use_ = std::make_shared<const plugin::Host>(watched_.directories(), private_copy);
+    in_use_ = std::make_shared<const plugin::Host>(
+        watched_.directories(), [this](const fs::path& file) { return copied(file); });
     for (const fs::path& draft : drafts) {
       if (std::string why = watched_.why_refused(draft, in_use_->report()); !why.empty()) {
         refused.problems.push_back(std::move(why));
@@ -72,6 +77,7 @@ class Watch::Impl {
     if (!refused.problems.empty()) {
       post(std::move(refused));
     }
+    is_following_ = true;
     const NoSignals for_the_thread;
     thread_ = std::thread([this] { follow(); });
   }
@@ -133,8 +139,9 @@ class Watch::Impl {
       // Two equal looks: the writer has finished.
       if (now != seen_ && now == last) {
         try {
-          renew(now);
-          seen_ = now;
+          if (renew(now)) {
+            seen_ = now;
+          }
           reported.clear();
           failed = false;
         } catch (const std::exception& error) {  // tried again, reported once
@@ -164,10 +171,61 @@ class Watch::Impl {
     }
   }
 
-  void renew(const Prints& now) {
+  /// Returns false if files have changed again, so that all is to be done once more.
+  bool renew(const Prints& now) {
     Renewal renewal;
     watched_.rebuild(seen_, now, stop_.get_token(), renewal);
+    tried_ = now;
     load(std::move(renewal));
+    tried_.reset();
+    return !std::exchange(is_outdated_, false);
+  }
+
+  /// The copy of a library, and none of a script: once it was tried, if it comes while a world
+  /// runs.
+  std::shared_ptr<const fs::path> copied(const fs::path& file) {
+    auto copy = plugin::is_script(file) ? nullptr : private_copy(file);
+    if (trial_ && is_following_) {
+      try_first(file, copy ? *copy : file);
+    }
+    return copy;
+  }
+
+  /// Throws std::runtime_error if the file cannot be loaded in a process of its own. What was
+  /// refused is not tried again.
+  void try_first(const fs::path& file, const fs::path& loaded) {
+    const auto print = plugin::fingerprint_of(file);
+    if (const auto known = refused_.find(file);
+        known != refused_.end() && known->second.first == print) {
+      throw std::runtime_error(known->second.second);
+    }
+    if (is_outdated_) {
+      throw std::runtime_error("is not tried before the next look");
+    }
+    std::stop_source trial;
+    const std::stop_callback ends(stop_.get_token(), [&trial] { trial.request_stop(); });
+    const std::jthread looks([&](const std::stop_token& over) {
+      std::mutex mutex;
+      std::condition_variable_any pause;
+      std::unique_lock lock(mutex);
+      while (tried_ && !pause.wait_for(lock, over, period_, [] { return false; }) &&
+             !over.stop_requested()) {
+        if (watched_.look() != *tried_) trial.request_stop();
+      }
+    });
+    const std::string said = trial_(loaded, watched_.known_as(file), trial.get_token());
+    if (trial.stop_requested()) {
+      is_outdated_ = true;
+      throw std::runtime_error("has changed while it was tried");
+    }
+    if (said.empty()) return;
+    const std::size_t end = said.find('\n');
+    const std::string sentence = said.substr(0, end);
+    if (end != said.npos) {
+      details_.push_back(said.substr(end + 1));
+    }
+    refused_.insert_or_assign(file, std::pair(print, sentence));
+    throw std::runtime_error(sentence);
   }
 
   /// Makes the host of what is compiled now. The renewal names each of the `drafts`.
@@ -176,13 +234,18 @@ class Watch::Impl {
       return;
     }
     const std::shared_ptr<const plugin::Host> before = in_use();
+    details_.clear();
     auto host = std::make_shared<const plugin::Host>(before->renewed(watched_.directories()));
+    if (is_outdated_) {
+      return;
+    }
     const auto& known = before->report().warnings;
     for (const std::string& warning : host->report().warnings) {
       if (std::find(known.begin(), known.end(), warning) == known.end()) {
         renewal.problems.push_back(warning);
       }
     }
+    merge(renewal.problems, std::exchange(details_, {}));
     watched_.list_kept(host->report(), before->report(), renewal.kept);
     std::set<fs::path> files;
     for (const PluginKind kind : plugin::kPluginKinds) {
@@ -266,6 +329,12 @@ class Watch::Impl {
   Prints seen_;                // likewise, as the next one
   std::set<fs::path> behind_;  // files whose present version the host does not have
   const std::chrono::milliseconds period_;
+  const Trial trial_;
+  bool is_following_ = false;    // set before the thread begins
+  std::optional<Prints> tried_;  // the files at the last look; none: their changes do not count
+  bool is_outdated_ = false;     // a trial was broken off
+  std::map<fs::path, std::pair<std::optional<plugin::Fingerprint>, std::string>> refused_;
+  std::vector<std::string> details_;  // on what was refused
   mutable std::mutex mutex_;
   std::condition_variable wake_;
   std::stop_source stop_;  // of the compiler
@@ -278,8 +347,8 @@ class Watch::Impl {
 };
 
 Watch::Watch(std::vector<plugin::SearchDirectory> directories, std::chrono::milliseconds period,
-             const std::vector<fs::path>& drafts)
-    : impl_(std::make_unique<Impl>(std::move(directories), period, drafts)) {}
+             const std::vector<fs::path>& drafts, Trial trial)
+    : impl_(std::make_unique<Impl>(std::move(directories), period, drafts, std::move(trial))) {}
 Watch::~Watch() = default;
 
 const plugin::Host& Watch::host() const { return *impl_->in_use(); }

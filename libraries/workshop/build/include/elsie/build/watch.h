@@ -13,13 +13,16 @@
 // A thread checks the files a few times a second for replaced libraries and edited sources and
 // headers. It compiles and loads what has changed, and provides a new host that shares the other
 // plugins with the old one. The thread takes no signals. A library that crashes while it is loaded
-// ends the process; one that never finishes loading blocks the watcher, and its end.
+// ends the process, and one that never finishes loading blocks the watcher, and its end: therefore
+// a program may have changed files tried in another process first (Trial).
 #pragma once
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -45,6 +48,14 @@ class Watch {
  public:
   static constexpr std::chrono::milliseconds kPeriod{200};
 
+  /// Loads a library or script in a process of its own. Returns "" if that ends, else what
+  /// happened: the first line follows the file's name, others may give details. `known_as`: the
+  /// file as the user names it. `stop` ends the process: the watch ends, or a file has changed
+  /// again.
+  using Trial = std::function<std::string(const std::filesystem::path& file,
+                                          const std::filesystem::path& known_as,
+                                          const std::stop_token& stop)>;
+
   /// Compiles and loads all places, as plugin::Host does; a place may also be a source file
   /// (is_source()). Libraries are loaded as private copies, so that their files may be overwritten.
   /// `period` is the time between checks; a changed file is read once two checks find it the same.
@@ -52,10 +63,12 @@ class Watch {
   ///
   /// `drafts`: sources and scripts that somebody is writing. What is wrong with one is in the first
   /// renewal instead of an exception, and it is used from the first version on that is right.
+  ///
+  /// `trial`: every file that has changed, or is new, is tried by it before it is loaded.
   explicit Watch(std::vector<plugin::SearchDirectory> places,
                  std::chrono::milliseconds period = kPeriod,
-                 const std::vector<std::filesystem::path>& drafts = {});
-  /// Ends a running compiler; waits for a library that is being loaded.
+                 const std::vector<std::filesystem::path>& drafts = {}, Trial trial = {});
+  /// Ends a running compiler or trial; waits for a library that is being loaded.
   ~Watch();
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
