@@ -56,11 +56,13 @@ class Setup:
         steps = declared["steps"] or self.world.control_steps if steps is None else steps
         duration = declared["duration"] if duration is None else duration
         self.is_one = is_one
+        self.process = os.getpid() if _whole("threads", threads, MOST_THREADS) > 1 else 0
         robots = "all" if robots is None and not is_one else robots
         self.robots = _robots_of(self.world, robots, is_one)
         self.steps = _whole("steps", steps)
-        if duration is not None and not (isinstance(duration, (int, float, np.number)) and 0 < duration < np.inf):
-            raise InputError(f"duration={duration}: expected a time above 0 s")
+        if duration is not None and not (isinstance(duration, (int, float, np.number)) and not isinstance(duration, bool)
+                                         and 0 < duration < np.inf):
+            raise InputError(f"duration={duration!r}: expected a time above 0 s")
         self.is_choice = act in ("choice", ["choice"])
         self.reward = reward if callable(reward) else None
         self.worlds = _elsie.Worlds(self.world, _whole("num_envs", count), _whole("threads", threads, MOST_THREADS), self.robots,
@@ -71,8 +73,14 @@ class Setup:
         self.observation_names: list[list[str]] = [each["names"] for each in observed]
         self.action_names: list[list[str]] = [each["names"] for each in acted]
         self.action_ranges: list[tuple[NDArray[np.float64], NDArray[np.float64]]] = [(each["low"], each["high"]) for each in acted]
-        self.observation_spaces = [Box(each["low"].astype(np.float32), each["high"].astype(np.float32), dtype=np.float32)
-                                   for each in observed]
+        with np.errstate(all="ignore"):  # bounds that are too small for a float
+            self.observation_spaces = [Box(each["low"].astype(np.float32), each["high"].astype(np.float32), dtype=np.float32)
+                                       for each in observed]
+        for each, space in zip(observed, self.observation_spaces):
+            for name, least, greatest in zip(each["names"], space.low, space.high):
+                if not least < greatest < np.inf or not -np.inf < least:
+                    raise InputError(f"observe: the bounds of '{name}' are {least} and {greatest} as numbers of 32 bits; expected two different, "
+                                     "finite ones")
         self.action_spaces: list[Any] = [Discrete(len(names)) if self.is_choice else Box(-1.0, 1.0, (len(names),), np.float32)
                                          for names in self.action_names]
 
@@ -120,6 +128,8 @@ def _robots_of(world: _elsie.World, robots: Union[None, str, Sequence[str]], is_
         return known
     if isinstance(robots, str):
         robots = [robots]
+    if robots is not None and not (isinstance(robots, Sequence) and all(isinstance(each, str) for each in robots)):
+        raise InputError(f"robots={robots!r}: expected ids of robots, such as {known[0]!r}")
     if robots is None:
         if len(known) != 1:
             raise InputError(f"The world has {len(known)} robots: {', '.join(known[:10])}{', ...' if len(known) > 10 else ''}; "
@@ -214,6 +224,9 @@ class Base:
         setup = self._setup
         if setup is None:
             raise InputError("This environment is closed; make a new one")
+        if setup.process and setup.process != os.getpid():
+            raise InputError("This environment was made in another process, whose threads a copy by fork() does not have; make it in the "
+                             "process that uses it, or with threads=1")
         return setup
 
     @property
@@ -230,6 +243,9 @@ class Base:
     def action_ranges(self) -> list[tuple[NDArray[np.float64], NDArray[np.float64]]]:
         """For each robot: what -1 and 1 stand for, in the units of the world."""
         return self._open.action_ranges
+
+    def __reduce__(self) -> Any:
+        raise TypeError("an environment cannot be copied or pickled; make another one of the same world, and reset it with the same seed")
 
     def close(self) -> None:
         """Gives the worlds up. May be called twice."""
@@ -281,9 +297,11 @@ class Env(Base, _GymEnv):
 
     def reset(self, *, seed: Optional[int] = None, options: Optional[dict[str, Any]] = None) -> tuple[Floats, dict[str, Any]]:
         """Begins an episode: with this seed, or with the next one that follows from it. The first seed is 1."""
+        refuse_options(options)
         worlds = self._open.worlds
         if seed is not None:
-            self._seed(checked_seed(seed))
+            seed = checked_seed(seed)
+            self._seed(seed)
         worlds.begin([0], [] if seed is None else [seed])
         observation: Floats = worlds.observations.reshape(self.observation_space.shape).copy()
         self._before = observation
@@ -359,13 +377,13 @@ class Env(Base, _GymEnv):
 def save(setup: Setup, world: int, file: Union[str, "os.PathLike[str]"]) -> None:
     """Saves an episode. Warns once if `elsie run` would make it with other bits."""
     name = os.fspath(file)
-    note_of_bits()
     if os.path.exists(name) and os.path.exists(setup.world.file) and os.path.samefile(name, setup.world.file):
         raise InputError(f"save: '{name}' is the world of this environment, which would be lost; name another file")
     limit = setup.worlds.save(world, name)
     if limit is not None:
         warnings.warn(f"{name}: a goal of this world lasts longer than the episode, so that its limit of time stays; "
                       f"the run ends as the episode did with `--duration {limit!r}`", stacklevel=3)
+    note_of_bits()
 
 
 def checked_reward(reward: Any) -> float:
@@ -377,6 +395,13 @@ def checked_reward(reward: Any) -> float:
     if not np.isfinite(earned):
         raise InputError(f"The reward function returned {earned}; expected a finite number")
     return earned
+
+
+def refuse_options(options: Optional[Mapping[str, Any]], known: Sequence[str] = ()) -> None:
+    """Nothing that a user asks of reset() is passed over."""
+    for name in options or ():
+        if name not in known:
+            raise InputError(f"options: there is no {name!r}; there is {', '.join(map(repr, known)) or 'none'}")
 
 
 def checked_seed(seed: Any) -> int:

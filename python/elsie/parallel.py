@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from elsie.environments import Base, Floats, Names, Reward, Setup, WorldLike, checked_reward, checked_seed, save
+from elsie.environments import Base, Floats, Names, Reward, Setup, WorldLike, checked_reward, checked_seed, refuse_options, save
 from elsie.errors import InputError
 from elsie.spaces import Box
 
@@ -52,7 +52,7 @@ class ParallelEnv(Base, _ParallelEnv):
         self._places = {robot: slice(int(end) - size, int(end)) for robot, size, end in zip(setup.robots, sizes, ends)}
         counts = [len(names) for names in setup.action_names]
         first = np.cumsum([0, *counts])
-        self._actions = np.zeros((1, int(first[-1])), np.float32)
+        self._actions = np.zeros((1, int(first[-1])))
         self._hands = {robot: slice(int(first[i]), int(first[i + 1])) for i, robot in enumerate(setup.robots)}
         setup.worlds.set_shapes(self._actions.shape, self.state_space.shape)
         self._row: Floats = setup.worlds.observations[0]
@@ -76,9 +76,11 @@ class ParallelEnv(Base, _ParallelEnv):
 
     def reset(self, seed: Optional[int] = None, options: Optional[dict[str, Any]] = None) -> tuple[dict[str, Floats], dict[str, Any]]:
         """Begins an episode with all agents: with this seed, or with the next one that follows from it. The first seed is 1."""
+        refuse_options(options)
         worlds = self._open.worlds
         if seed is not None:
-            self._seed(checked_seed(seed))
+            seed = checked_seed(seed)
+            self._seed(seed)
         worlds.begin([0], [] if seed is None else [seed])
         self.agents = list(self.possible_agents)
         self._before = self._observed()

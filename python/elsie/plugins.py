@@ -19,6 +19,7 @@ an underscore is no plugin. docs/writing-a-behavior-in-python.md is the tutorial
 from __future__ import annotations
 
 import ast
+import functools
 import math
 import os
 import re
@@ -26,6 +27,8 @@ import sys
 import types
 from pathlib import Path
 from typing import Any, ClassVar, Iterable, Mapping, NamedTuple, Optional, Sequence, TypeVar, Union
+
+import numpy as np
 
 from elsie._elsie import (ActuatorNow, Member, Motion, Now, Pose, Random, Readings, Response, SensorNow, Sketch, Status, WorldChanges,
                            WorldNow)
@@ -492,12 +495,18 @@ def _load(path: str) -> list[dict[str, Any]]:
     module = types.ModuleType(f"elsie_script_{_loaded}_{file.stem}")
     module.__file__ = path
     sys.modules[module.__name__] = module  # dataclasses look there
+    before = np.geterr()
     try:
         exec(compile(tree, path, "exec"), module.__dict__)
-        return _Declarer(module, tree, file).all()
+        # What the script sets holds for its own methods: in any thread, and nowhere else.
+        errors = np.geterr()
+        errstate = functools.partial(np.errstate, **errors) if errors != before else None
+        return [{**declared, "errstate": errstate} for declared in _Declarer(module, tree, file).all()]
     except BaseException:
         _unload(module.__name__)
         raise
+    finally:
+        np.seterr(**before)
 
 
 def _unload(module: str) -> None:

@@ -42,8 +42,8 @@ def note_of_bits() -> list[Note]:
     if same_bits():
         return []
     if not _warned:
+        warnings.warn(_OTHER_BITS, RuntimeWarning, stacklevel=_levels_inside())  # raises, each time, where warnings are errors
         _warned = True
-        warnings.warn(_OTHER_BITS, RuntimeWarning, stacklevel=_levels_inside())
     return [Note("", "python", _OTHER_BITS)]
 
 
@@ -93,10 +93,10 @@ class Simulation(_elsie.Simulation, Paths):
         """
         read = world if isinstance(world, _elsie.World) else World(world)
         _require_seed(seed)
-        if not 1 <= threads <= MOST_THREADS:
-            raise InputError(f"threads: expected a whole number from 1 to {MOST_THREADS}, not {threads}")
-        if time_limit is not None and not 0 < time_limit < math.inf:
-            raise InputError(f"time_limit: expected a number of seconds above 0, not {time_limit}")
+        if not _is_whole(threads) or not 1 <= threads <= MOST_THREADS:
+            raise InputError(f"threads: expected a whole number from 1 to {MOST_THREADS}, not {threads!r}")
+        if time_limit is not None and not (_is_number(time_limit) and 0 < time_limit < math.inf):
+            raise InputError(f"time_limit: expected a number of seconds above 0, not {time_limit!r}")
         is_watched = len(read.robots) <= _MOST_WATCHED if watch is None else watch
         _elsie.Simulation.__init__(self, read, seed, threads, time_limit, list((edits or {}).items()), is_watched, is_watched)
         self._observers: list[_Observer] = []
@@ -104,6 +104,7 @@ class Simulation(_elsie.Simulation, Paths):
         self._events: list[Event] = []
         self._ended: Optional[Result] = None
         self._fault: Optional[Error] = None
+        self._process = os.getpid() if threads > 1 else 0
         self._more_notes = note_of_bits()
 
     # Steps
@@ -117,8 +118,8 @@ class Simulation(_elsie.Simulation, Paths):
 
     def run(self, until: Optional[float] = None) -> Result:
         """Makes steps until a goal or a limit ends the run, or until this simulated time, s. Returns the result so far."""
-        if until is not None and math.isnan(until):
-            raise InputError("until: expected a time in seconds, not nan")
+        if until is not None and (not _is_number(until) or math.isnan(until)):
+            raise InputError(f"until: expected a time in seconds, not {until!r}")
         self._go(2**63, math.inf if until is None else until)
         return self.result()
 
@@ -127,8 +128,8 @@ class Simulation(_elsie.Simulation, Paths):
 
         It may look at the run and edit it, and not make steps. What it raises comes out of step() or run().
         """
-        if every is not None and not 0 < every < math.inf:
-            raise InputError(f"every: expected a number of seconds above 0, not {every}")
+        if every is not None and not (_is_number(every) and 0 < every < math.inf):
+            raise InputError(f"every: expected a number of seconds above 0, not {every!r}")
         if not callable(function):
             raise TypeError(f"observe() expected a function of the simulation, not {type(function).__name__}")
         at_each_step = every is not None and every <= self.step_s
@@ -272,6 +273,9 @@ class Simulation(_elsie.Simulation, Paths):
 
     def _go(self, steps: int, until: float) -> int:
         self._refuse_in_observer("step")
+        if self._process and self._process != os.getpid():
+            raise InputError("this simulation was made in another process, whose threads a copy by fork() does not have; make it in the "
+                             "process that uses it, or with threads=1")
         made = 0
         while made < steps and (not self._observers or self.time < until - 1e-6 * self.step_s):
             every_step = any(each.every is None for each in self._observers)
@@ -329,7 +333,15 @@ def _require_seed(seed: int) -> None:
         raise InputError(f"seed: expected a whole number from 0 to 2**64 - 1, not {seed!r}")
 
 
+def _is_whole(value: object) -> bool:
+    return isinstance(value, (int, np.integer)) and not isinstance(value, bool)
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, (int, float, np.number)) and not isinstance(value, bool)
+
+
 def _whole(number: int, name: str) -> int:
-    if number < 0:
-        raise InputError(f"{name}: expected a whole number of at least 0, not {number}")
-    return min(number, 2**63)
+    if not _is_whole(number) or number < 0:
+        raise InputError(f"{name}: expected a whole number of at least 0, not {number!r}")
+    return min(int(number), 2**63)

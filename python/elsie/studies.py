@@ -15,6 +15,8 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union
 
+import numpy as np
+
 from elsie import _elsie
 from elsie.errors import Error, InputError, PluginError, Problem
 from elsie.results import Result
@@ -46,11 +48,13 @@ def run(world: Union[World, File], seeds: Iterable[int] = range(1, 2), *,
 
     read = world if isinstance(world, World) else World(world)
     cells = list(_cells(edits or {}))
+    if isinstance(seeds, (str, int)) or not isinstance(seeds, Iterable):
+        raise InputError(f"seeds: expected several whole numbers, such as range(1, 6), not {seeds!r}")
     seeds = list(seeds)
     processors = len(os.sched_getaffinity(0))
     count = processors if workers is None else workers
-    if count < 1:
-        raise InputError(f"workers: expected a whole number of at least 1, not {count}")
+    if not isinstance(count, int) or count < 1:
+        raise InputError(f"workers: expected a whole number of at least 1, not {count!r}")
     stop = threading.Event()
     note_of_bits()
 
@@ -60,7 +64,12 @@ def run(world: Union[World, File], seeds: Iterable[int] = range(1, 2), *,
             made.step(_STEPS_BETWEEN_LOOKS)
         return {**cells[place], **_row(made.result())}
 
-    with ThreadPoolExecutor(count) as pool:
+    def take_errors(errors: dict[str, Any], call: Any) -> None:
+        """What numpy does about errors is another thing in each thread: plugins get what the caller has set."""
+        np.seterr(**errors)
+        np.seterrcall(call)
+
+    with ThreadPoolExecutor(count, initializer=take_errors, initargs=(np.geterr(), np.geterrcall())) as pool:
         jobs = [pool.submit(one, place, seed) for place in range(len(cells)) for seed in seeds]
         try:
             rows = [job.result() for job in jobs]

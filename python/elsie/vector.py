@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from elsie.environments import Base, Floats, Names, Reward, Setup, WorldLike, checked_seed, save
+from elsie.environments import Base, Floats, Names, Reward, Setup, WorldLike, checked_seed, refuse_options, save
 from elsie.errors import InputError
 from elsie.simulations import MOST_THREADS
 from elsie.spaces import Box, Discrete, MultiDiscrete
@@ -106,8 +106,7 @@ class VectorEnv(Base, _GymVectorEnv):
         """Begins an episode in all worlds, or in those of options["reset_mask"]. An int seed gives world i the seed + i; None goes on."""
         worlds = self._open.worlds
         chosen = np.ones(self.num_envs, np.bool_)
-        if options and set(options) - {"reset_mask"}:
-            raise InputError(f"options: there is no {sorted(map(str, set(options) - {'reset_mask'}))[0]!r}; there is 'reset_mask'")
+        refuse_options(options, ["reset_mask"])
         if options and "reset_mask" in options:
             chosen = np.asarray(options["reset_mask"])
             if chosen.shape != (self.num_envs,) or chosen.dtype != np.bool_ or not chosen.any():

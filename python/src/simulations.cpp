@@ -1,6 +1,5 @@
 // Binds elsie.Simulation.
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include <pybind11/stl.h>
@@ -14,14 +13,11 @@
 #include "account.h"
 #include "results.h"
 #include "simulation.h"
+#include "turn.h"
 #include "values.h"
 
 namespace elsie::python {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-/// Between two looks for signals, such as that of Ctrl-C.
-constexpr std::chrono::milliseconds kSignals{50};
 
 simulation::Options options_of(const SimulationOptions& options) {
   return {.seed = options.seed,
@@ -120,17 +116,16 @@ std::uint64_t Simulation::advance(std::uint64_t steps, double until_s) {
   return made;
 }
 
-/// Returns early, but not at once, so that signals are seen.
+/// Returns early, at the end of a turn.
 std::uint64_t Simulation::steps_until(std::uint64_t steps, double until_s) {
   constexpr double kRounding = 1e-6;  // steps
-  constexpr std::uint64_t kBetweenLooks = 16;
-  const Clock::time_point until = Clock::now() + kSignals;
+  Turn turn;
   std::uint64_t made = 0;
   while (made < steps) {
     if (simulation_->time_s() >= until_s - kRounding * simulation_->world().physics.step) break;
     if (!run_->step()) break;
     ++made;
-    if (made % kBetweenLooks == 0 && Clock::now() > until) break;
+    if (turn.is_over()) break;
   }
   return made;
 }

@@ -1,6 +1,8 @@
 """Whatever is called with whatever: an exception, never a crash."""
 import copy
+import os
 import pickle
+import signal
 import threading
 
 import numpy as np
@@ -135,3 +137,65 @@ def test_many_threads_on_one_simulation():
     for thread in threads:
         thread.join()
     assert not wrong
+
+
+@pytest.mark.parametrize("call, sentence", [
+    (lambda: elsie.Simulation(elsie.World.parse(ARENA), threads=1.5), "threads: .* not 1.5"),
+    (lambda: elsie.Simulation(elsie.World.parse(ARENA), time_limit="5"), "time_limit: .* not '5'"),
+    (lambda: elsie.Simulation(elsie.World.parse(ARENA)).step(2.5), "steps: .* not 2.5"),
+    (lambda: elsie.Simulation(elsie.World.parse(ARENA)).step("2"), "steps: .* not '2'"),
+    (lambda: elsie.Simulation(elsie.World.parse(ARENA)).run(until="2"), "until: .* not '2'"),
+    (lambda: elsie.Simulation(elsie.World.parse(ARENA)).observe(print, every="1"), "every: .* not '1'"),
+    (lambda: elsie.run(elsie.World.parse(ARENA), 5), "seeds: .* not 5"),
+    (lambda: elsie.run(elsie.World.parse(ARENA), workers="2"), "workers: .* not '2'"),
+    (lambda: elsie.Env(elsie.World.parse(ARENA), robot=0), "robots=0: expected ids of robots, such as 'r1'"),
+    (lambda: elsie.Env(elsie.World.parse(ARENA), robot="r1", duration=True), "duration=True"),
+    (lambda: elsie.Env(elsie.World.parse(ARENA), robot="r1", observe=("pose.x", 0, 1e39)), "'pose.x' are 0.0 and inf"),
+    (lambda: elsie.Env(elsie.World.parse(ARENA), robot="r1", observe=("pose.x", 0, 1e-60)), "'pose.x' are 0.0 and 0.0"),
+    (lambda: elsie.Env(elsie.World.parse(ARENA), robot="r1").reset(options={"seed": 3}), "options: there is no 'seed'"),
+    (lambda: elsie.ParallelEnv(elsie.World.parse(ARENA)).reset(options={"seed": 3}), "options: there is no 'seed'")])
+def test_what_has_another_type_or_is_unknown_gets_a_sentence(call, sentence):
+    with pytest.raises(elsie.InputError, match=sentence):
+        call()
+
+
+def test_an_environment_is_not_copied():
+    env = elsie.Env(elsie.World.parse(ARENA), robot="r1")
+    for copying in (copy.copy, copy.deepcopy, pickle.dumps):
+        with pytest.raises(TypeError, match="make another one"):
+            copying(env)
+
+
+def test_actions_beyond_a_float_are_clipped_whatever_numpy_is_told():
+    def step(action):
+        env = elsie.Env(elsie.World.parse(ARENA), robot="r1", steps=50)
+        env.reset(seed=1)
+        env.step(action)
+        return env.state_hash
+    with np.errstate(all="raise"):
+        assert step(np.array([1e300, 1e-300])) == step([1, 0])
+        env = elsie.ParallelEnv(elsie.World.parse(ARENA), robots=["r1"])
+        env.reset(seed=1)
+        env.step({"r1": np.array([1e300, 1e-300])})
+
+
+@pytest.mark.parametrize("make, step", [
+    (lambda: elsie.VectorEnv(elsie.World.parse(ARENA), 4, robot="r1", threads=2), lambda envs: envs.reset(seed=1)),
+    (lambda: elsie.Simulation(elsie.World.parse(ARENA), threads=2), lambda run: run.step(1))])
+def test_threads_do_not_come_along_with_a_copy_of_the_process(make, step):
+    made = make()
+    step(made)
+    reads, writes = os.pipe()
+    child = os.fork()
+    if child == 0:
+        signal.alarm(20)  # it might wait for them
+        try:
+            step(made)
+        except elsie.InputError as error:
+            os.write(writes, str(error).encode())
+        finally:
+            os._exit(0)
+    os.close(writes)
+    with os.fdopen(reads) as said:
+        assert "another process" in said.read()
+    os.waitpid(child, 0)

@@ -1,4 +1,5 @@
 """Plugins in Python, in this process and by the program."""
+import itertools
 import json
 import math
 import os
@@ -7,10 +8,11 @@ import signal
 import sqlite3
 import subprocess
 import sys
-import threading
 import time
+import warnings
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import elsie
@@ -53,6 +55,44 @@ class Place:
     def elsie(self, *words, timeout=60, environment=None):
         return subprocess.run([elsie.program(), *map(str, words)], cwd=self.folder, capture_output=True, text=True, timeout=timeout,
                               env={**os.environ, **(environment or {})})
+
+
+    def watched(self, world, script):
+        return Watched(self, world, script)
+
+
+class Watched:
+    """A run of the program with --watch, in real time, until the end of `with`."""
+
+    def __init__(self, place, world, script):
+        self.errors = place.folder / "errors"
+        with open(self.errors, "w") as errors:
+            self.process = subprocess.Popen([elsie.program(), "run", world, "--plugin", script, "--watch", "--speed", "1"],
+                                            cwd=place.folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=errors)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.process.kill()
+        self.process.wait()
+
+    def text(self):
+        return self.errors.read_text()
+
+    def wait_until(self, holds, again=lambda i: None):
+        """`again` is called meanwhile, each time after several looks of the program: a file that is saved before the program watches it is no edit."""
+        end = time.monotonic() + 60
+        for i in itertools.count():
+            if i % 14 == 0:
+                again(i)
+            if holds():
+                return
+            assert time.monotonic() < end, self.text()
+            time.sleep(0.05)
+
+    def wait_for(self, text, again=lambda i: None, times=1):
+        self.wait_until(lambda: self.text().count(text) >= times, again)
 
 
 @pytest.fixture
@@ -647,26 +687,9 @@ def without_python(folder):
 class TestInRuns:
     def test_an_edited_script_replaces_its_objects(self, place):
         file = place.script(STAND.replace("elsie.Motion()", "elsie.Motion(0.1)"))
-        world = place.world("<stand/>", time_limit=1e5)
-        process = subprocess.Popen([elsie.program(), "run", world, "--plugin", file, "--watch", "--speed", "1"], cwd=place.folder,
-                                   stderr=subprocess.PIPE, text=True)
-        replaced = threading.Event()
-
-        def listen():
-            for line in process.stderr:
-                if "mine.py: new: stand of 'r1'" in line:
-                    replaced.set()
-        threading.Thread(target=listen, daemon=True).start()
-        try:
-            end = time.monotonic() + 30
-            saves = 0
-            while not replaced.wait(0.3) and time.monotonic() < end:  # one that comes before the program watches is no edit
-                saves += 1
-                place.script(STAND.replace("elsie.Motion()", f"elsie.Motion(0.1 + 0.001 * {saves})"))
-            assert replaced.is_set()
-        finally:
-            process.send_signal(signal.SIGINT)
-            process.wait(20)
+        with place.watched(place.world("<stand/>", time_limit=1e5), file) as run:
+            run.wait_for("mine.py: new: stand of 'r1'",
+                         lambda i: place.script(STAND.replace("elsie.Motion()", f"elsie.Motion(0.1 + 0.001 * {i})")))
 
     def test_a_study_keeps_the_hash_of_the_script(self, place):
         file = place.script(STAND.replace("Motion()", "Motion(now.random.uniform())"))
@@ -694,3 +717,90 @@ def test_a_simple_behaviour_decides_fast(place):
     start = time.perf_counter()
     run.step(10_000)
     assert time.perf_counter() - start < 1.0
+
+
+class TestNumpysErrors:
+    """What numpy does about errors (numpy.seterr) is the user's to say, and a script's for its own methods."""
+
+    DIVIDES = """
+import numpy as np
+{0}
+class Divide(elsie.Behavior):
+    \"\"\"Divides by zero.\"\"\"
+    def respond(self, now):
+        np.zeros(1) / np.zeros(1)
+        return elsie.Motion()
+"""
+
+    def test_a_script_is_under_what_the_user_has_set(self, place):
+        with np.errstate(all="raise"), pytest.raises(elsie.PluginFault, match="FloatingPointError"):
+            place.run(self.DIVIDES.format(""), "<divide/>")
+        with np.errstate(all="ignore"):
+            place.run(self.DIVIDES.format(""), "<divide/>")
+
+    def test_what_a_script_sets_holds_for_it_alone(self, place):
+        before = np.geterr()
+        script = self.DIVIDES.format("np.seterr(all='raise')")
+        with pytest.raises(elsie.PluginFault, match="FloatingPointError"):
+            place.run(script, "<divide/>")
+        assert np.geterr() == before
+        with np.errstate(all="raise"):
+            place.run(self.DIVIDES.format("np.seterr(all='ignore')"), "<divide/>")
+            assert np.geterr()["divide"] == "raise"
+
+    @pytest.mark.parametrize("threads", [1, 2])
+    def test_it_is_the_same_in_all_threads_of_an_environment(self, place, threads):
+        world = elsie.World(place.world('<divide/>', sensors="<beam_range/>"), plugins=[place.script(self.DIVIDES.format(""))])
+        with np.errstate(all="ignore"):
+            envs = elsie.VectorEnv(world, 16, threads=threads, act="priorities", steps=50)
+            envs.reset(seed=1)
+        for _ in range(5):
+            with np.errstate(all="ignore"):
+                envs.reset(seed=1)
+            with np.errstate(all="raise"), pytest.raises(elsie.PluginFault, match="world 0: .*FloatingPointError"):
+                envs.step(np.zeros(envs.action_space.shape))
+        with warnings.catch_warnings(), np.errstate(all="ignore"):
+            warnings.simplefilter("error")
+            envs.reset(seed=1)
+            envs.step(np.zeros(envs.action_space.shape))
+
+    def test_runs_in_threads_are_under_it_too(self, place):
+        world = elsie.World(place.world("<divide/>"), plugins=[place.script(self.DIVIDES.format(""))])
+        with np.errstate(all="raise"), pytest.raises(elsie.PluginFault, match="FloatingPointError"):
+            elsie.run(world, range(4), workers=2)
+
+    def test_in_a_run_of_the_program_a_script_that_changes_keeps_what_it_sets(self, place):
+        """It is loaded in another thread then."""
+        file = place.script(STAND)
+        world = place.world("<stand/>", time_limit=1e5)
+        with place.watched(world, file) as run:
+            run.wait_for("mine.py: new: stand of 'r1'", lambda i: place.script(STAND + f"# {i}\n"))
+            script = self.DIVIDES.format("np.seterr(all='raise')").replace("Divide(", "Stand(")
+            run.wait_for("failed in step", lambda i: place.script(script + f"# {i}\n"))
+            assert "FloatingPointError" in run.text() and run.process.wait(20) == 3
+
+
+class TestLoadingWithoutEnd:
+    ENDLESS = STAND + "\nopen('tried', 'a').write('x')\nwhile True: pass\n"
+
+    def test_it_is_stopped_and_named_as_at_the_start(self, place):
+        file = place.script(self.ENDLESS)
+        run = place.elsie("load-plugin", file, file, "1")
+        assert run.returncode == 3
+        assert f"plugin library '{file}' did not return within 1 s and was stopped, while it was loaded\n" in run.stderr
+
+    def test_a_watched_run_goes_on_takes_the_next_version_and_ends_with_ctrl_c(self, place):
+        file = place.script(STAND)
+        world = place.world("<stand/>", time_limit=1e5)
+        with place.watched(world, file) as run:
+            run.wait_for("mine.py: new: stand of 'r1'", lambda i: place.script(STAND + f"# {i}\n"))
+            place.script(self.ENDLESS)
+            run.wait_until(lambda: (place.folder / "tried").exists())
+            place.script(STAND + "# mended\n")
+            run.wait_for("mine.py: new: stand of 'r1'", times=2)
+            (place.folder / "tried").unlink()
+            place.script(self.ENDLESS)
+            run.wait_until(lambda: (place.folder / "tried").exists())
+            run.process.send_signal(signal.SIGINT)
+            assert run.process.wait(20) == 4
+            assert "interrupted after" in run.text()

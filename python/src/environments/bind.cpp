@@ -1,6 +1,8 @@
 // Binds the worlds of elsie.Env, elsie.VectorEnv and elsie.ParallelEnv.
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -11,6 +13,7 @@
 
 #include "elsie/base/error.h"
 #include "elsie/base/words.h"
+#include "elsie/plugin/script.h"
 #include "elsie/simulation/run_result.h"
 #include "elsie/world/reader.h"
 
@@ -26,16 +29,65 @@ namespace {
 using Names = std::vector<std::tuple<std::string, std::optional<double>, std::optional<double>>>;
 using Terms = std::optional<std::vector<std::pair<std::string, double>>>;
 
+/// What numpy does about errors (numpy.geterr) where a call comes from, in a thread that helps: a
+/// thread of C++ would have numpy's own choice, and plugins in Python would do one thing here and
+/// another there. Plugins share one state of Python while it lives.
+class Helping {
+ public:
+  explicit Helping(const py::object& errors) : lock_(PyGILState_Ensure()) {
+    try {
+      py::module_::import("numpy").attr("seterr")(**errors);
+    } catch (const py::error_already_set&) {  // it goes by numpy's own choice
+    }
+    state_ = PyEval_SaveThread();
+  }
+  ~Helping() {
+    PyEval_RestoreThread(state_);
+    PyGILState_Release(lock_);
+  }
+  Helping(const Helping&) = delete;
+  Helping& operator=(const Helping&) = delete;
+
+ private:
+  PyGILState_STATE lock_;
+  PyThreadState* state_;
+};
+
+bool has_scripts(const plugin::Host& host) {
+  for (const auto& directory : host.report().directories) {
+    for (const plugin::FileReport& file : directory.files) {
+      if (file.status == plugin::FileStatus::loaded && plugin::is_script(file.path)) return true;
+    }
+  }
+  return false;
+}
+
+/// Raises KeyboardInterrupt after Ctrl-C, or what a handler of the user raises.
+void look_for_signals() {
+  const py::gil_scoped_acquire held;
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
 /// What Python holds: the worlds, and the shapes of arrays that it gives and gets.
 class Held : public Made {
  public:
   Held(Declared declared, MakeWorld maker, const std::shared_ptr<const plugin::Host>& host,
        std::size_t count, std::size_t threads)
-      : worlds(std::move(declared), std::move(maker), host, count, threads),
+      : worlds(std::move(declared), std::move(maker), host, count, threads,
+               {look_for_signals,
+                [this] { return errors ? std::make_shared<Helping>(errors) : nullptr; }}),
+        has_helped_scripts(threads > 1 && count > 1 && has_scripts(*host)),
         shape{static_cast<py::ssize_t>(count * worlds.actions_size())},
         observed_shape{static_cast<py::ssize_t>(worlds.observations().size())} {}
 
+  /// To be called before the worlds work, with the lock.
+  void note_errors() {
+    if (has_helped_scripts) errors = py::module_::import("numpy").attr("geterr")();
+  }
+
+  py::object errors;  // of numpy, where the last call came from
   Worlds worlds;
+  bool has_helped_scripts;
   std::vector<py::ssize_t> shape, observed_shape;
 };
 
@@ -86,22 +138,32 @@ bool has_numbers(const py::array& array) {
   return kind == 'f' || kind == 'i' || kind == 'u' || kind == 'b';
 }
 
+/// Rounded here: numpy would raise or warn, as the user has told it (numpy.seterr), when a number
+/// is too small or too large for a float. Large ones are clipped later, as all beyond [-1, 1].
+Actions rounded(const py::array& given) {
+  const auto wide = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
+  if (!wide) throw base::BadInput("An action has a number that is too large; expected [-1, 1]");
+  Actions actions(std::vector<py::ssize_t>(given.shape(), given.shape() + given.ndim()));
+  static constexpr double kMost = std::numeric_limits<float>::max();
+  std::transform(wide.data(), wide.data() + wide.size(), actions.mutable_data(), [](double each) {
+    return static_cast<float>(std::isfinite(each) ? std::clamp(each, -kMost, kMost) : each);
+  });
+  return actions;
+}
+
 Actions actions_of(const Held& held, const py::object& given) {
-  if (!py::isinstance<Actions>(given)) {
-    const py::array any = py::array::ensure(given);
-    if (!any || !has_numbers(any)) {
-      PyErr_Clear();
-      throw base::BadInput("An action is no array of numbers: " + std::string(py::repr(given)));
-    }
+  const bool is_ready = py::isinstance<Actions>(given);
+  const py::array any = py::array::ensure(given);
+  if (!is_ready && (!any || !has_numbers(any))) {
+    PyErr_Clear();
+    throw base::BadInput("An action is no array of numbers: " + std::string(py::repr(given)));
   }
-  const Actions actions = Actions::ensure(given);
-  const auto size = static_cast<std::size_t>(actions.ndim());
-  if (size != held.shape.size() ||
-      !std::equal(held.shape.begin(), held.shape.end(), actions.shape())) {
-    throw base::BadInput("The actions have the shape " + text_of(actions.shape(), size) +
+  const auto size = static_cast<std::size_t>(any.ndim());
+  if (size != held.shape.size() || !std::equal(held.shape.begin(), held.shape.end(), any.shape())) {
+    throw base::BadInput("The actions have the shape " + text_of(any.shape(), size) +
                          "; expected " + text_of(held.shape.data(), held.shape.size()));
   }
-  return actions;
+  return is_ready ? py::reinterpret_borrow<Actions>(any) : rounded(any);
 }
 
 std::span<const float> span_of(const Actions& actions) {
@@ -230,6 +292,7 @@ void bind_environments(py::module_& module) {
       .def("begin",
            [](Held& held, const std::vector<std::size_t>& chosen,
               const std::vector<std::uint64_t>& seeds) {
+             held.note_errors();
              const py::gil_scoped_release released;
              held.worlds.begin(chosen, seeds);
            })
@@ -239,6 +302,7 @@ void bind_environments(py::module_& module) {
                throw base::BadInput("expected 0, 1 or 2 as renewal");
              }
              const Actions actions = actions_of(held, given);
+             held.note_errors();
              const py::gil_scoped_release released;
              held.worlds.step(span_of(actions), static_cast<Renewal>(renewal));
            })

@@ -83,7 +83,7 @@ Episode::Episode(const Declared& declared, const MakeWorld& make, const plugin::
 Episode::~Episode() = default;
 
 void Episode::begin(std::uint64_t seed) {
-  is_sound_ = false;
+  is_sound_ = is_stepping_ = is_interrupted_ = false;
   run_.reset();
   hands_.clear();
   eyes_.clear();
@@ -162,8 +162,18 @@ void Episode::advance() {
   }
 }
 
-void Episode::step(const float* actions) {
+void Episode::require_sound() const {
+  if (is_interrupted_) throw base::BadInput("This episode was interrupted: call reset()");
   if (!is_sound_) throw base::BadInput("A fault has ended this episode: call reset()");
+}
+
+void Episode::interrupt() {
+  is_sound_ = is_stepping_ = false;
+  is_interrupted_ = true;
+}
+
+void Episode::begin_step(const float* actions) {
+  require_sound();
   if (has_ended()) throw base::BadInput("This episode has ended: call reset()");
   is_sound_ = false;
   std::fill(rewards_.begin(), rewards_.end(), 0.0);
@@ -171,12 +181,20 @@ void Episode::step(const float* actions) {
   for (const Acting& each : hands_) size += each.numbers().size();
   deeds_.push_back({simulation_->time_s(), {actions, actions + size}});
   apply();
-  const auto steps = declared_.steps > 0
-                         ? declared_.steps
-                         : static_cast<std::size_t>(simulation_->world().physics.control_steps);
-  for (std::size_t i = 0; i < steps && simulation_->outcome() == simulation::Outcome::running;
-       ++i) {
+  steps_left_ = declared_.steps > 0
+                    ? declared_.steps
+                    : static_cast<std::size_t>(simulation_->world().physics.control_steps);
+}
+
+bool Episode::finish_step(Turn turn) {
+  is_stepping_ = false;  // a fault ends it
+  while (steps_left_ > 0 && simulation_->outcome() == simulation::Outcome::running) {
     advance();
+    --steps_left_;
+    if (turn.is_over() && steps_left_ > 0) {
+      is_stepping_ = true;
+      return false;
+    }
   }
   if (watcher_->has_seen) find_names();
   rewarding_->add_growth(*simulation_, rewards_.data());
@@ -192,6 +210,7 @@ void Episode::step(const float* actions) {
     terminated_ = true;
   }
   is_sound_ = true;
+  return true;
 }
 
 const simulation::Simulation& Episode::simulation() const {
@@ -227,7 +246,7 @@ world::World Episode::kept() const {
 }
 
 std::optional<double> Episode::save(const std::filesystem::path& file) const {
-  if (!is_sound_) throw base::BadInput("A fault has ended this episode: it cannot be saved");
+  require_sound();
   world::World world = kept();
   if (file.extension() == ".xml") {
     // The limit ends the run when the episode did, unless a goal lasts longer than that.

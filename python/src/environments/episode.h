@@ -2,7 +2,10 @@
 //
 //   Episode episode(declared, make, host);
 //   episode.begin(7);
-//   while (!episode.has_ended()) episode.step(actions);
+//   while (!episode.has_ended()) {
+//     episode.begin_step(actions);
+//     while (!episode.finish_step(Turn())) look_for_signals();
+//   }
 //   episode.save("learned.xml");
 //
 // An episode begins with one control period in which the robots sense for the first time. Then
@@ -27,6 +30,7 @@
 #include "declared.h"
 #include "observing.h"
 #include "rewarding.h"
+#include "turn.h"
 
 namespace elsie::python {
 
@@ -43,9 +47,18 @@ class Episode {
 
   /// Begins with this seed. Throws what the world's making, and its first steps, throw.
   void begin(std::uint64_t seed);
-  /// Makes a step. `actions`: of all robots, one after the other. Throws base::BadInput after
-  /// its end, and after a fault.
-  void step(const float* actions);
+  /// Begins a step. `actions`: of all robots, one after the other. Throws base::BadInput after
+  /// the episode's end, after a fault, and after interrupt().
+  void begin_step(const float* actions);
+  /// Makes the steps of the physics until all are made or the turn is over, but at least one.
+  /// Returns whether the step is complete; nothing else may be asked before it is.
+  bool finish_step(Turn turn);
+  /// Throws base::BadInput after a fault and after interrupt().
+  void require_sound() const;
+  /// Whether a step has begun and is not complete.
+  bool is_stepping() const { return is_stepping_; }
+  /// Gives the episode up, perhaps in the middle of a step.
+  void interrupt();
 
   /// Whether the run has come to its end, or the batteries of all robots are empty.
   bool has_ended() const { return terminated_ || truncated_; }
@@ -93,8 +106,11 @@ class Episode {
   std::unique_ptr<simulation::Simulation> simulation_;
   std::unique_ptr<Watcher> watcher_;
   std::unique_ptr<simulation::Run> run_;
-  bool is_sound_ = false;  // false: it has not begun, or a fault has ended it
-  bool is_drawn_ = false;  // the world depends on the seed
+  bool is_sound_ = false;  // false: it has not begun, is in a step, or was broken off
+  bool is_stepping_ = false;
+  bool is_interrupted_ = false;
+  std::size_t steps_left_ = 0;  // of the physics, in this step
+  bool is_drawn_ = false;       // the world depends on the seed
   bool by_edits_ = false;
   std::uint64_t seed_ = 1;
   std::size_t seen_ = 0;    // events that were looked at

@@ -58,14 +58,16 @@ std::uint64_t Worlds::Seeds::next() const {
 }
 
 Worlds::Worlds(Declared declared, MakeWorld make, std::shared_ptr<const plugin::Host> host,
-               std::size_t count, std::size_t threads)
+               std::size_t count, std::size_t threads, Calls calls)
     : declared_(std::move(declared)),
       make_(std::move(make)),
       host_(std::move(host)),
       seeds_(count),
       outcomes_(count),
+      calls_(std::move(calls)),
       pool_(std::min(threads, count)),
       all_(count),
+      is_done_(count),
       failures_(count) {
   std::iota(all_.begin(), all_.end(), 0);
   episodes_.reserve(count);
@@ -95,18 +97,39 @@ Worlds::Worlds(Declared declared, MakeWorld make, std::shared_ptr<const plugin::
   for (std::size_t i = 0; i < count; ++i) seeds_[i] = {i + 1, kNotBegun};
 }
 
-/// Does this for the chosen worlds, in threads, and throws the failure of the first.
+/// Does this for the chosen worlds, in threads, and throws the failure of the first. `what` returns
+/// whether it is done with a world; if not, because its turn was over, it is called again.
 template <class What>
 void Worlds::each(const std::vector<std::size_t>& chosen, const What& what) {
-  pool_.divide(chosen.size(), 1, [&](const base::ThreadPool::Share& share) {
-    for (std::size_t i = share.first; i < share.end; ++i) {
-      try {
-        what(chosen[i]);
-      } catch (...) {
-        failures_[chosen[i]] = std::current_exception();
+  for (const std::size_t world : chosen) is_done_[world] = false;
+  const auto make_turn = [&](const Turn& turn) {
+    pool_.divide(chosen.size(), 1, [&](const base::ThreadPool::Share& share) {
+      const std::shared_ptr<void> helping = share.thread == 0 ? nullptr : calls_.help();
+      for (std::size_t i = share.first; i < share.end; ++i) {
+        const std::size_t world = chosen[i];
+        if (is_done_[world] || turn.has_ended()) continue;
+        try {
+          is_done_[world] = what(world, turn);
+        } catch (...) {
+          is_done_[world] = true;
+          failures_[world] = std::current_exception();
+        }
       }
+    });
+    return std::all_of(chosen.begin(), chosen.end(),
+                       [&](std::size_t world) { return is_done_[world] != 0; });
+  };
+  while (!make_turn(Turn())) {
+    try {
+      calls_.look();
+    } catch (...) {
+      for (const std::size_t world : chosen) {
+        failures_[world] = nullptr;
+        episodes_[world]->interrupt();
+      }
+      throw;
     }
-  });
+  }
   std::exception_ptr first;
   std::size_t failed = 0;
   for (const std::size_t world : chosen) {
@@ -153,7 +176,10 @@ void Worlds::begin(const std::vector<std::size_t>& chosen, std::span<const std::
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     seeds_[chosen[i]] = {seeds[i], kNotBegun};
   }
-  each(chosen, [&](std::size_t world) { begin(world); });
+  each(chosen, [&](std::size_t world, const Turn&) {
+    begin(world);
+    return true;
+  });
 }
 
 const Episode& Worlds::begun_episode(std::size_t world) const {
@@ -165,7 +191,14 @@ const Episode& Worlds::begun_episode(std::size_t world) const {
 
 void Worlds::step(std::span<const float> actions, Renewal renewal) {
   const Work work(at_work_);
-  for (const std::size_t world : all_) begun_episode(world);
+  for (const std::size_t world : all_) {
+    try {
+      begun_episode(world).require_sound();
+    } catch (const base::BadInput& error) {
+      if (size() == 1 || seeds_[world].episode == kNotBegun) throw;
+      throw OfWorld(error, world);
+    }
+  }
   if (actions.size() != size() * actions_size_) {
     throw base::BadInput("There are " + std::to_string(actions.size()) +
                          " numbers of actions; expected " + std::to_string(size() * actions_size_));
@@ -176,18 +209,21 @@ void Worlds::step(std::span<const float> actions, Renewal renewal) {
     throw base::BadInput("An action has a number that is not finite; expected numbers in [-1, 1]");
   }
   const std::size_t robots = declared_.robots.size();
-  each(all_, [&](std::size_t world) {
+  each(all_, [&](std::size_t world, const Turn& turn) {
     Episode& episode = *episodes_[world];
-    begun_[world] = false;
-    if (renewal == Renewal::next_step && episode.has_ended()) {
-      begin(world);
-      return;
+    if (!episode.is_stepping()) {
+      begun_[world] = false;
+      if (renewal == Renewal::next_step && episode.has_ended()) {
+        begin(world);
+        return true;
+      }
+      episode.begin_step(actions.data() + world * actions_size_);
     }
-    episode.step(actions.data() + world * actions_size_);
+    if (!episode.finish_step(turn)) return false;
     take_results(world);
-    if (!episode.has_ended()) return;
+    if (!episode.has_ended()) return true;
     outcomes_[world] = to_string(episode.simulation().outcome());
-    if (renewal != Renewal::same_step) return;
+    if (renewal != Renewal::same_step) return true;
     const auto from =
         observations_.begin() + static_cast<std::ptrdiff_t>(world * observations_size_);
     std::copy(from, from + static_cast<std::ptrdiff_t>(observations_size_),
@@ -199,6 +235,7 @@ void Worlds::step(std::span<const float> actions, Renewal renewal) {
               rewards_.begin() + static_cast<std::ptrdiff_t>(world * robots));
     terminated_[world] = terminated;
     truncated_[world] = truncated;
+    return true;
   });
 }
 

@@ -3,7 +3,7 @@
 //
 // Nothing here knows Python: step() is called without its lock. Worlds share what was loaded and
 // nothing that changes, so that each is the same in any company and any number of threads, bit for
-// bit.
+// bit. Long steps are made in turns, between which the caller may look for signals.
 #pragma once
 
 #include <atomic>
@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -32,10 +33,19 @@ enum class Renewal { next_step, same_step, told };
 
 class Worlds {
  public:
+  /// Functions of the caller.
+  struct Calls {
+    /// Is called between turns, in the thread that called begin() or step(). What it throws
+    /// interrupts all worlds that are at work, which must begin again.
+    std::function<void()> look;
+    /// Is called in a thread that helps before it works; what it returns lives until that is done.
+    std::function<std::shared_ptr<void>()> help;
+  };
+
   /// Begins the first of them, to learn what there is to observe and to do. Throws base::BadInput,
   /// and what the world's making throws.
   Worlds(Declared declared, MakeWorld make, std::shared_ptr<const plugin::Host> host,
-         std::size_t count, std::size_t threads);
+         std::size_t count, std::size_t threads, Calls calls);
 
   std::size_t size() const { return episodes_.size(); }
   /// With the numbers of each robot: the same in all worlds.
@@ -113,8 +123,10 @@ class Worlds {
   std::vector<float> observations_, last_observations_;
   std::vector<double> rewards_;
   std::vector<char> ended_, terminated_, truncated_, begun_;
+  Calls calls_;
   base::ThreadPool pool_;
   std::vector<std::size_t> all_;
+  std::vector<char> is_done_;  // with the present work, for each world
   std::vector<std::exception_ptr> failures_;
   mutable std::atomic_flag at_work_;
 };

@@ -116,8 +116,9 @@ Declaration declaration_of(const py::dict& facts) {
   declaration.feels_contacts = facts["feels_contacts"].cast<bool>();
   declaration.hears_messages = facts["hears_messages"].cast<bool>();
   declaration.may_share_threads = false;  // one interpreter
-  const ScriptClassRef of = locked_at_end(ScriptClass{
-      text("file"), facts["cls"], facts, facts["remembers"].cast<std::vector<std::string>>()});
+  const ScriptClassRef of =
+      locked_at_end(ScriptClass{text("file"), facts["cls"], facts, facts["errstate"],
+                                facts["remembers"].cast<std::vector<std::string>>()});
   declaration.create = [of, make = kind.make] { return make(of); };
   if (!facts["struct"].is_none()) {
     const std::shared_ptr<const StructLayout> layout = StructLayout::of(facts["struct"]);

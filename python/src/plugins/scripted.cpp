@@ -50,6 +50,22 @@ ParameterValue value_of(ParameterType type, const py::object& value) {
   return 0.0;
 }
 
+OwnErrors::OwnErrors(const ScriptClass& of) {
+  if (of.errstate.is_none()) return;
+  state_ = of.errstate();
+  state_.attr("__enter__")();
+}
+
+OwnErrors::~OwnErrors() {
+  if (!state_) return;
+  const py::error_scope raised;  // the script's
+  try {
+    state_.attr("__exit__")(py::none(), py::none(), py::none());
+  } catch (py::error_already_set& error) {
+    error.discard_as_unraisable("the end of numpy.errstate");
+  }
+}
+
 void keep_passing() { passing = std::current_exception(); }
 
 void throw_fault(py::error_already_set& error, const std::string& file) {

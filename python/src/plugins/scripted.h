@@ -25,12 +25,25 @@ struct ScriptClass {
   std::string file;
   py::object cls;
   py::object declared;  // the dict of elsie.plugins
+  py::object errstate;  // makes numpy.errstate as the script has set it; None: it has not
   std::vector<std::string> remembers;
 };
 using ScriptClassRef = std::shared_ptr<const ScriptClass>;
 
 /// The value of a parameter. Throws py::cast_error for one of another type.
 ParameterValue value_of(ParameterType type, const py::object& value);
+
+/// While it lives, numpy does about errors what the script has said (numpy.seterr).
+class OwnErrors {
+ public:
+  explicit OwnErrors(const ScriptClass& of);
+  ~OwnErrors();
+  OwnErrors(const OwnErrors&) = delete;
+  OwnErrors& operator=(const OwnErrors&) = delete;
+
+ private:
+  py::object state_;
+};
 
 /// Call it in a catch block: what is handled goes through the script, and on as it is, if it is a
 /// fault of another plugin that the script has asked.
@@ -64,6 +77,7 @@ class Scripted {
   auto run(py::handle method, Action&& action) const {
     const Gil gil;
     try {
+      const OwnErrors errors(*of_);
       return action();
     } catch (py::error_already_set& error) {
       throw_fault(error, of_->file);
