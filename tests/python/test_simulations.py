@@ -73,6 +73,17 @@ def test_a_process_without_the_arithmetic_says_so_once():
     assert "elsie python" in done.stdout
 
 
+def test_where_warnings_are_errors_it_is_raised_each_time_until_it_is_let_pass(tmp_path):
+    script = tmp_path / "twice.py"
+    script.write_text("import elsie\nfor _ in range(2):\n    try:\n        elsie.Simulation('worlds/open_arena.xml')\n        print('made')\n"
+                      "    except RuntimeWarning:\n        print('raised')\n")
+    environment = {name: value for name, value in os.environ.items() if name != "GLIBC_TUNABLES"}
+    environment["PYTHONPATH"] = os.path.dirname(os.path.dirname(elsie.__file__))
+    for more, said in (([], "raised"), (["-W", "ignore:This process was not started"], "made")):
+        done = subprocess.run([sys.executable, "-W", "error", *more, script], env=environment, capture_output=True, text=True, check=True)
+        assert done.stdout.split() == [said, said]
+
+
 def test_reset_starts_again_with_the_same_or_another_seed(run):
     first = run.run().state_hash
     run.reset()
