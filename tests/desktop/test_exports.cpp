@@ -79,7 +79,10 @@ TEST_CASE("A film goes through ffmpeg in its size and speed, while the window li
   Room window(QString(kRoom).replace("\"60\"", "\"2\""));
   window.run_to_the_end();
   const QString mp4 = window.folder() + "/run.mp4";
-  window.file("before", "run.mp4");
+  QFile before(window.file("before", "run.mp4"));
+  const auto permissions =
+      QFile::ReadOwner | QFile::WriteOwner | QFile::ReadUser | QFile::WriteUser | QFile::ReadGroup;
+  REQUIRE(before.setPermissions(permissions));
   const bool is_whole = film_of(window, mp4, {"mp4", QSize(320, 180), 8.0}, [&] {
     CHECK_FALSE(window.get<QProgressDialog>("film_progress")->isModal());
     CHECK(bytes_of(mp4) == "before");
@@ -90,7 +93,10 @@ TEST_CASE("A film goes through ffmpeg in its size and speed, while the window li
   const QString words = bytes_of(programs.file("words"));
   CHECK(words.contains("-s 320x180 -r 25 "));
   CHECK(words.contains("libx264"));
-  CHECK(QDir(window.folder()).entryList({"run.mp4*"}).size() == 1);
+  CHECK(QDir(window.folder()).entryList({"*.mp4*", "*.part"}, QDir::Files | QDir::Hidden).size() ==
+        1);
+  CHECK((before.permissions() & ~(QFile::ReadUser | QFile::WriteUser)) ==
+        (permissions & ~(QFile::ReadUser | QFile::WriteUser)));
   // All of the pictures show something, and not all the same.
   const QByteArray all = bytes_of(mp4);
   CHECK(all.left(320 * 180 * 3) != all.right(320 * 180 * 3));
@@ -149,7 +155,11 @@ TEST_CASE("A film that ffmpeg cannot write, or that is cancelled, leaves the fil
     CHECK(window.dialog<QMessageBox>("film_failed")->text().contains("meanwhile"));
   }
   CHECK(bytes_of(mp4) == "before");
-  CHECK(wait_for([&] { return QDir(window.folder()).entryList({"run.mp4*"}).size() == 1; }));
+  CHECK(wait_for([&] {
+    return QDir(window.folder())
+               .entryList({"run.mp4*", "*.part"}, QDir::Files | QDir::Hidden)
+               .size() == 1;
+  }));
 }
 
 TEST_CASE("Without ffmpeg the dialog says how to install it, and offers what works") {

@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "elsie/files/replacement.h"
 #include "elsie/files/write_whole.h"
 
 #include "folder.h"
@@ -26,6 +27,10 @@ std::string read(const fs::path& name) {
 }
 
 void write(const fs::path& name, const std::string& text) { std::ofstream(name) << text; }
+
+unsigned mode_of(const fs::path& file) {
+  return static_cast<unsigned>(fs::status(file).permissions());
+}
 
 }  // namespace
 
@@ -86,9 +91,6 @@ TEST_CASE("What cannot be written leaves the file as it was") {
 
 TEST_CASE("The permissions of a file that is replaced stay; the mask holds for a new one") {
   const Folder here;
-  const auto mode_of = [](const fs::path& file) {
-    return static_cast<unsigned>(fs::status(file).permissions());
-  };
   for (const unsigned mode : {0600U, 0444U, 0755U, 0640U}) {
     const fs::path file = here / "a";
     fs::remove(file);
@@ -102,4 +104,35 @@ TEST_CASE("The permissions of a file that is replaced stay; the mask holds for a
   CHECK(files::write_whole(here / "new", "one") == 0);
   umask(mask);
   CHECK(mode_of(here / "new") == 0640U);
+}
+
+TEST_CASE("What another program writes replaces a file likewise, or leaves it as it was") {
+  const Folder here;
+  const fs::path file = here / "a";
+  write(file, "one");
+  REQUIRE(chmod(file.c_str(), 0600) == 0);
+  SECTION("it is whole") {
+    files::Replacement part(file);
+    REQUIRE(part.error() == 0);
+    CHECK(mode_of(part.path()) == 0600U);  // nobody reads what nobody may
+    write(part.path(), "two");
+    CHECK(read(file) == "one");
+    REQUIRE(chmod(part.path().c_str(), 0666) == 0);
+    CHECK(part.replace() == 0);
+    CHECK(read(file) == "two");
+    CHECK(mode_of(file) == 0600U);
+  }
+  SECTION("it is given up") {
+    {
+      const files::Replacement part(file);
+      write(part.path(), "tw");
+    }
+    CHECK(read(file) == "one");
+  }
+  SECTION("there is no room for it") {
+    files::Replacement part(here / "none/b");
+    CHECK(part.error() == ENOENT);
+    CHECK(part.replace() == ENOENT);
+  }
+  CHECK(here.files() == 1);
 }

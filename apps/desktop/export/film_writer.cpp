@@ -5,9 +5,6 @@
 #include <QImage>
 #include <QStandardPaths>
 #include <QTimer>
-#include <filesystem>
-#include <fstream>
-#include <string>
 #include <system_error>
 #include <utility>
 
@@ -24,17 +21,8 @@ constexpr qint64 kMostPending = 4;  // pictures in the pipe
 
 QString ending_of(const QString& file) { return QFileInfo(file).suffix().toLower(); }
 
-/// Those that the file has; for a new one, what the user's mask leaves.
-std::filesystem::perms permissions_of(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (std::filesystem::exists(status)) return status.permissions();
-  unsigned mask = 022;
-  std::ifstream facts("/proc/self/status");  // asking umask() would change it for other threads
-  for (std::string word; facts >> word;) {
-    if (word == "Umask:") facts >> std::oct >> mask;
-  }
-  return static_cast<std::filesystem::perms>(0666U & ~mask);
+QString reason_of(int error) {
+  return QString::fromStdString(std::generic_category().message(error));
 }
 
 /// What ffmpeg is asked to write.
@@ -93,11 +81,9 @@ double FilmWriter::rate_of(const QString& file) {
 }
 
 PipedFilm::PipedFilm(const QString& file, const QSize& size)
-    : file_(QString::fromStdString(files::end_of_links(file.toStdString()).string())),
-      size_(size),
-      written_(file_ + QStringLiteral(".XXXXXX")) {
-  if (!written_.open()) {
-    why_ = written_.errorString();
+    : size_(size), written_(files::end_of_links(file.toStdString())) {
+  if (written_.error() != 0) {
+    why_ = reason_of(written_.error());
     return;
   }
   const QString program = ffmpeg();
@@ -118,12 +104,12 @@ PipedFilm::PipedFilm(const QString& file, const QSize& size)
     }
   });
   process_.setStandardOutputFile(QProcess::nullDevice());
-  process_.start(
-      program,
-      QStringList{"-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24",
-                  "-s", QStringLiteral("%1x%2").arg(size.width()).arg(size.height()), "-r",
-                  QString::number(rate_of(file)), "-i", "-", "-an"} +
-          encodings().value(ending_of(file)) + QStringList{written_.fileName()});
+  process_.start(program, QStringList{"-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo",
+                                      "-pix_fmt", "rgb24", "-s",
+                                      QStringLiteral("%1x%2").arg(size.width()).arg(size.height()),
+                                      "-r", QString::number(rate_of(file)), "-i", "-", "-an"} +
+                              encodings().value(ending_of(file)) +
+                              QStringList{QString::fromStdString(written_.path().string())});
 }
 
 PipedFilm::~PipedFilm() {
@@ -167,18 +153,8 @@ void PipedFilm::finish() {
     why_ = last.isEmpty() ? tr("ffmpeg ended with exit code %1").arg(process_.exitCode())
                           : tr("ffmpeg says '%1'").arg(last);
   }
-  if (why_.isEmpty()) {
-    std::error_code error;
-    written_.close();
-    const std::filesystem::path written = written_.fileName().toStdString();
-    const std::filesystem::path file = file_.toStdString();
-    std::filesystem::permissions(written, permissions_of(file), error);
-    if (!error) std::filesystem::rename(written, file, error);
-    if (error) {
-      why_ = QString::fromStdString(error.message());
-    } else {
-      written_.setAutoRemove(false);
-    }
+  if (why_.isEmpty() && written_.replace() != 0) {
+    why_ = reason_of(written_.error());
   }
   Q_EMIT finished(why_.isEmpty());
 }

@@ -4,8 +4,9 @@
 #include <QObject>
 #include <QProcess>
 #include <QSize>
-#include <QTemporaryFile>
 #include <memory>
+
+#include "elsie/files/replacement.h"
 
 class QImage;
 
@@ -58,9 +59,8 @@ class PipedFilm : public FilmWriter {
  private:
   void finish();
 
-  QString file_;
   QSize size_;
-  QTemporaryFile written_;  // beside the file
+  files::Replacement written_;
   QProcess process_;
   QString why_;
   QByteArray said_;
