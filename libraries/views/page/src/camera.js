@@ -34,6 +34,7 @@ class Camera {
     this.at = [0, 0, 0];  // what it looks at
     this.around = -Math.PI / 2;  // where it stands from there, rad counter-clockwise from east
     this.over = 0.9;  // its height, rad above the floor
+    this.raised = 0;  // how much higher it is, so that nothing hides what it looks at
     this.distance = 10;
   }
 
@@ -43,6 +44,7 @@ class Camera {
     this.at = [0, 0, 0];
     this.around = -Math.PI / 2;
     this.over = over;
+    this.raised = 0;
     this.distance = Math.max(length, width);
     const wall = 0.1;  // m, beside the arena
     const corners = [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [0, height].map((z) => [x * (length / 2 + wall), y * (width / 2 + wall), z])));
@@ -59,7 +61,8 @@ class Camera {
 
   turn(around, over) {
     this.around += around;
-    this.over = Math.min(Math.PI / 2, Math.max(0.05, this.over + over));  // never below the floor
+    this.over = Math.min(Math.PI / 2, Math.max(0.05, this.over + this.raised + over));  // never below the floor
+    this.raised = 0;
   }
 
   // Moves what it looks at, in parts of the picture's height.
@@ -75,8 +78,8 @@ class Camera {
   }
 
   ahead() {
-    const flat = Math.cos(this.over);
-    return [-Math.cos(this.around) * flat, -Math.sin(this.around) * flat, -Math.sin(this.over)];
+    const over = Math.min(Math.PI / 2, this.over + this.raised), flat = Math.cos(over);
+    return [-Math.cos(this.around) * flat, -Math.sin(this.around) * flat, -Math.sin(over)];
   }
 
   eye() {

@@ -81,6 +81,40 @@ class View {
     this.close = true;
   }
 
+  // The camera stays where it is.
+  leave() {
+    this.following = false;
+    this.camera.turn(0, 0);
+  }
+
+  // Raises the camera until it sees a place over walls and obstacles. It rises at once, and sinks bit by bit.
+  rise(scene, place) {
+    const camera = this.camera;
+    camera.raised *= 0.85;
+    while (camera.over + camera.raised < Math.PI / 2 && this.is_hidden(scene, place, camera.eye())) camera.raised += 0.02;
+  }
+
+  // Whether a box that is not a robot's is between two places.
+  is_hidden(scene, a, b) {
+    const robots = new Set(this.run.robots.map((robot) => robot.body));
+    return scene.boxes.some(({body, frame, size}) => {
+      const pose = body < 0 ? {x: 0, y: 0, h: 0} : this.run.pose(body, this.sample);
+      if (!pose || robots.has(body)) return false;
+      const c = Math.cos(pose.h), s = Math.sin(pose.h);
+      const within = ([x, y, z]) => [c * (x - pose.x) + s * (y - pose.y) - frame[9], c * (y - pose.y) - s * (x - pose.x) - frame[10], z - frame[11]];
+      const from = within(a), to = within(b);
+      let enters = 0, leaves = 1;  // of the way from one to the other
+      for (let i = 0; i < 3; ++i) {
+        const axis = frame.slice(3 * i, 3 * i + 3), at = inner(from, axis), per = inner(to, axis) - at;
+        const low = i < 2 ? -size[i] / 2 : 0, high = low + size[i];  // the frame is that of its foot
+        const ends = [(low - at) / per, (high - at) / per];
+        if (Math.abs(per) > 1e-9) [enters, leaves] = [Math.max(enters, Math.min(...ends)), Math.min(leaves, Math.max(...ends))];
+        else if (at < low || at > high) return false;
+      }
+      return enters < leaves;
+    });
+  }
+
   // Where a place is in the picture, in CSS pixels; null: behind the eye.
   project(p) {
     const [x, y, w] = this.camera.clip(this.matrix, p);
@@ -259,6 +293,8 @@ class View {
       if (this.close) [this.camera.distance, this.camera.over, this.close] = [9 * size, 0.42, false];
       this.camera.at = [pose.x, pose.y, 0.5 * selected.top];
       this.camera.around = pose.h + Math.PI;
+      const behind = 0.3 * selected.size[0];
+      this.rise(scene, [pose.x - behind * Math.cos(pose.h), pose.y - behind * Math.sin(pose.h), 0.2 * selected.top]);
     }
     this.matrix = this.camera.matrix(this.width / this.height);
     this.marks = options.sketches ? this.run.marks(this.sample) : [];
@@ -370,7 +406,7 @@ class View {
         this.camera.turn(Math.atan2(Math.sin(now.turn - before.turn), Math.cos(now.turn - before.turn)), 0);
       }
       if (pointers.size > 1 || event.shiftKey || (event.buttons & 6)) {
-        this.following = false;
+        this.leave();
         this.camera.slide(-dx / this.height, dy / this.height / Math.max(Math.sin(this.camera.over), 0.25));
       } else {
         this.camera.turn(-dx * 0.006, dy * 0.006);
@@ -395,7 +431,7 @@ class View {
     canvas.addEventListener("keydown", (event) => {
       const steps = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key];
       if (steps && event.shiftKey) {
-        this.following = false;
+        this.leave();
         this.camera.slide(0.06 * steps[0], 0.06 * steps[1]);
       } else if (steps) {
         this.camera.turn(0.1 * steps[0], 0.08 * steps[1]);
