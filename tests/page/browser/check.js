@@ -24,22 +24,33 @@ addEventListener("load", async () => {
       .filter((element) => !(element.getAttribute("aria-label") || element.textContent.trim()))
       .map((element) => element.outerHTML.slice(0, 120));
 
+    // The legend of the fields at the start and at the end.
+    const legend = () => (document.getElementById("fields").hidden ? [] : [...document.querySelectorAll("#fields li:not([hidden])")].map((row) => [...row.childNodes].map((part) => part.textContent).filter(Boolean).join(" ")));
+    found.fields = [0, page.run.end].map((time) => {
+      page.seek(time);
+      return legend();
+    });
+    page.seek(found.at_load.time);
+
     // Nothing may cover what is looked at.
     document.getElementById("sketches").click();
     // Where robots are at three instants, and the colours of the places behind their fronts then and at the first instant.
+    const look_at = (robot) => {
+      const pose = page.pose(robot.id), half = 0.42 * robot.size[0];
+      const rear = [robot.middle[0] - half, robot.middle[1]];
+      const place = [pose.x + Math.cos(pose.h) * rear[0], pose.y + Math.sin(pose.h) * rear[0], robot.deck];
+      return { id: robot.id, pose, place, colour: robot.colour, shown: found.space ? page.pixel(place) : null };
+    };
     found.instants = [0.25, 0.5, 1].map((part) => {
       const time = part * page.run.end;
       page.seek(time);
-      const robots = page.run.robots.map((robot) => {
-        const pose = page.pose(robot.id), half = 0.42 * robot.size[0];
-        const rear = [robot.middle[0] - half, robot.middle[1]];
-        const place = [pose.x + Math.cos(pose.h) * rear[0], pose.y + Math.sin(pose.h) * rear[0], robot.deck];
-        return { id: robot.id, pose, place, colour: robot.colour, shown: found.space ? page.pixel(place) : null };
-      });
-      return { time, robots };
+      return { time, robots: page.run.robots.map(look_at) };
     });
     page.seek(0);
     if (found.space) {
+      press("f");
+      found.followed = look_at(page.run.robots[0]);
+      press("o");
       for (const instant of found.instants) for (const robot of instant.robots) robot.at_start = page.pixel(robot.place);
     }
 

@@ -120,6 +120,46 @@ TEST_CASE("Without WebGL the picture from above and the time line are left") {
   CHECK(found["linked"] == json({{"time", 1.5}, {"robot", "r1"}}));
 }
 
+TEST_CASE("A legend says what the colours of fields mean at the time") {
+  world::World world = two_robots();
+  world.fields.resize(3);
+  world.fields[0].id = "pheromone";
+  world.fields[0].half_life = 10.0;
+  world.fields[0].start = 2.0;
+  world.fields[1].id = "none";
+  world.fields[2].id = "heat";
+  world.fields[2].start = 0.5;
+  world.fields[2].full = 40.0;
+  world.fields[2].colour = {200, 60, 0};
+  RecordedFile run(world, shipped());
+  Browser browser = browser_of(page::run_page(run.path, shipped()).html);
+  const json found = browser.look(390);
+  check_page(found);
+  CHECK(found["fields"][0] == json({"heat 0 40 per m²", "pheromone 0 2 per m²"}));
+  CHECK(found["fields"][1] == json({"heat 0 40 per m²", "pheromone 0 0.5 per m²"}));
+  browser.shoot("fields.png", 1280, 800, "", "#t=9");
+  browser.shoot("fields-dark.png", 1280, 800, "--force-dark-mode", "#t=9");
+  browser.shoot("fields-phone.png", 390, 844, "", "#t=9");
+}
+
+TEST_CASE("The camera that follows a robot looks over a wall behind it") {
+  world::World world = two_robots();
+  world.robots[0].x = -2.7;
+  world.robots[0].heading_deg = 0.0;
+  RecordedFile run(world, shipped());
+  Browser browser = browser_of(page::run_page(run.path, shipped()).html);
+  const json found = browser.look(1280);
+  check_page(found);
+  CHECK(apart(found["followed"]["shown"], found["followed"]["colour"]) < 0.2);
+  CHECK(tint(found["followed"]["shown"], 0) + tint(found["followed"]["shown"], 2) > 60.0);
+}
+
+TEST_CASE("A page without fields has no legend") {
+  RecordedFile run(two_robots(), shipped());
+  Browser browser = browser_of(page::run_page(run.path, shipped()).html);
+  CHECK(browser.look(1280)["fields"] == json({json::array(), json::array()}));
+}
+
 TEST_CASE("Texts that look like markup stay texts") {
   RecordedFile run(two_robots(), shipped());
   McapFile hostile;

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "elsie/base/number_text.h"
 #include "elsie/files/base64.h"
 #include "elsie/files/clean_text.h"
 #include "elsie/picture/top_view.h"
@@ -278,6 +279,9 @@ void Fields::add(Sample sample, const recording::RecordedRun& run, const world::
     field.colour = known.colour;
     const bool is_new = hold(field.grids, sample, {shown.columns, shown.rows, shown.opacities()});
     if (is_new) size_ += shown.values.size();
+    const double top = shown.solid();
+    constexpr int kDigits = 3;
+    hold(field.tops, sample, std::isfinite(top) ? base::number_text(top, kDigits) : "0");
   }
 }
 
@@ -285,6 +289,7 @@ void Fields::thin_keys(Sample every, Sample last) {
   size_ = 0;
   for (auto& [id, field] : fields_) {
     page::thin(field.grids, every, last, kLater);
+    page::thin(field.tops, every, last, kLater);
     for (const auto& key : field.grids) size_ += key.value.cells.size();
   }
 }
@@ -302,7 +307,11 @@ std::string Fields::text() const {
     for (std::size_t i = 0; i < field.grids.size(); ++i) {
       (out += i > 0 ? ",\"" : "\"") += files::packed(field.grids[i].value.cells) + '"';
     }
-    out += "]}";
+    append_differences(out += "],\"tops\":{\"s\":", samples_of(field.tops));
+    out += ",\"v\":";
+    char before = '[';
+    for (const auto& key : field.tops) (out += std::exchange(before, ',')) += key.value;
+    out += "]}}";
   }
   return out += ']';
 }

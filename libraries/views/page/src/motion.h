@@ -140,6 +140,7 @@ class Fields final : public SampledLayer {
   struct Field {
     Colour colour;
     Keys<Grid> grids;
+    Keys<std::string> tops;  // the values that are shown as solid, units/m2
   };
   void thin_keys(Sample every, Sample last) override;
 

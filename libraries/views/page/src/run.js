@@ -37,7 +37,7 @@ class Run {
     this.roles = data.roles;
     this.lights = data.lights.map((each) => ({...each, s: sums(each.s)}));
     this.sketches = data.sketches.map((each) => ({...each, s: sums(each.s)}));
-    this.fields = data.fields.map((each) => ({...each, s: sums(each.s)}));
+    this.fields = data.fields.map((each) => ({...each, s: sums(each.s), tops: {...each.tops, s: sums(each.tops.s)}}));
     this.reasons = data.reasons;
     this.decisions = data.decisions.map((each) => ({
       ...each,
@@ -124,6 +124,11 @@ class Run {
       }
     }
     return found;
+  }
+
+  // The value at which a field is drawn solid at a time, units/m2; 0: there is nothing of it.
+  top({tops}, sample) {
+    return tops.v[place_of(tops.s, sample + 1e-6)] ?? 0;
   }
 
   // The decisions of a robot at a time; null: nobody recorded them.

@@ -25,6 +25,16 @@ try {
   document.body.classList.add("flat");  // the picture from above stays
 }
 
+// The legend of the fields on the floor.
+const legend = run.fields.map((field) => {
+  const row = element("li"), ramp = element("i");
+  ramp.style.setProperty("--own", `rgb(${field.colour.join(" ")} / 85%)`);
+  const name = element("span", "name", field.id), range = element("span", "range");
+  row.append(name, "0", ramp, range);
+  find("fields").append(row);
+  return {field, row, range};
+});
+
 const seconds = (time) => `${time.toFixed(1)} s`;
 let wanted = false, drawn_at = 0, slow = 0;
 const draw = () => {
@@ -68,6 +78,12 @@ const show = () => {
       }, 250);
     }
   }
+  for (const {field, row, range} of legend) {
+    const top = run.top(field, run.sample(state.time));
+    row.hidden = !(top > 0);
+    range.textContent = `${short(top)} per m²`;
+  }
+  find("fields").hidden = legend.every(({row}) => row.hidden);
   const is_there = state.robot && run.pose(state.robot.body, run.sample(state.time));
   const said = is_there ? timeline.say(state.time) : null, part = state.time / run.end;
   find("clock").textContent = state.time.toFixed(1);
