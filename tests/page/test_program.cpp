@@ -41,6 +41,31 @@ TEST_CASE("An image of the floor is in a page once, however often the world is e
         here.read("plain.html").size() + here.read("floor.png").size());
 }
 
+TEST_CASE("A page that cannot be as small as asked is written, and a sentence says so") {
+  Workplace here;
+  std::string robots;
+  for (int i = 0; i < 300; ++i) {
+    robots += "<robot id=\"r" + std::to_string(i) + "\" x=\"" + std::to_string(i % 20 - 9.5) +
+              "\" y=\"" + std::to_string(i / 20 - 7.0) + "\"><behaviors><wander/></behaviors>" +
+              "<coordinator><arbiter_suppression/></coordinator></robot>\n";
+  }
+  here.write("swarm.xml", R"(<world format="1">
+  <arena length="22" width="22"/>
+  <physics engine="planar"/>
+  <robots>)" + robots + R"(</robots>
+  <limits time="4"/>
+</world>
+)");
+  here.elsie("run swarm.xml --record swarm.mcap --quiet");
+  const auto made = here.elsie("page swarm.mcap --megabytes 0.2");
+  CHECK(made.exit_code == 0);
+  CHECK_THAT(made.out, Catch::StartsWith("wrote swarm.html: "));
+  CHECK(here.read("swarm.html").size() > 200'000);
+  CHECK_THAT(made.err,
+             Catch::StartsWith("elsie: swarm.html has more than the 0.2 MB of --megabytes, "));
+  CHECK(here.elsie("page swarm.mcap").err.empty());
+}
+
 TEST_CASE("elsie page refuses what it cannot do, in a sentence and with code 2") {
   Workplace here;
   here.elsie("run worlds/open_arena.xml --duration 1 --record run.mcap --quiet");

@@ -63,15 +63,15 @@ int page(const PageCommandOptions& options) {
     throw BadInput(error.what());
   }
   files::write_whole_or_throw(file, made.html);
-  out() << "wrote " << file.string() << ": "
-        << base::fixed_text(static_cast<double>(made.html.size()) / kMegabyte, 2)
-        << " MB, a pose every " << base::seconds_text(made.poses_every_s) << '\n';
-  if (static_cast<double>(made.html.size()) > options.megabytes * kMegabyte) {
-    err() << "elsie: " << file.string() << " is larger than the "
+  const double size = static_cast<double>(made.html.size()) / kMegabyte;
+  out() << "wrote " << file.string() << ": " << base::fixed_text(size, 2) << " MB, a pose every "
+        << base::seconds_text(made.poses_every_s) << '\n';
+  if (size > options.megabytes) {
+    err() << "elsie: " << file.string() << " has more than the "
           << base::number_text(options.megabytes)
-          << " MB asked for: what it has cannot be sampled more coarsely; a recording of fewer "
-             "robots "
-             "(elsie run --record-robots) gives a smaller one\n";
+          << " MB of --megabytes, although its run is sampled as coarsely as a page can be; "
+             "a recording of fewer robots (`elsie run --record-robots`) or a smaller image of the "
+             "floor makes it smaller\n";
   }
   return kSuccess;
 }
@@ -92,8 +92,10 @@ void add_page_command(CLI::App& program, Job& job) {
                    "Page to write; default: the recording's name with .html, here")
       ->type_name("FILE.html");
   command
-      ->add_option("--megabytes", options->megabytes,
-                   "A longer run is sampled more coarsely, so that the page is no larger")
+      ->add_option(
+          "--megabytes", options->megabytes,
+          "A longer run is sampled more coarsely, so that the page is no larger if that is "
+          "possible; if not, a sentence says so")
       ->check(number_between(0.2, 100))
       ->capture_default_str();
   options->plugins.add_to(*command);
