@@ -155,7 +155,7 @@ class MainWindow : public QMainWindow {
   void use_source(const QString& source, const QString& name);
   void open_source(const QString& file, int line);
   void take_plugins(const QStringList& used, const QStringList& kept);
-  bool may_leave_sources();
+  bool may_leave_sources(const QStringList& files);
   bool bring_back_sources(const Recovered& recovered);
   void open_page(const QString& page);
   void open_page_of_selected();

@@ -238,6 +238,12 @@ void MainWindow::connect_cards() {
   connect(&workbench_, &Workbench::plugins_changed, this, &MainWindow::take_plugins);
   connect(sources_, &SourcesPanel::failed, this,
           [this](const QString& why) { warn(this, tr("Source"), why, "source_failed"); });
+  connect(sources_, &SourcesPanel::close_wished, this, [this](const QString& file) {
+    const bool is_modified = sources_->modified().contains(file);
+    if (may_leave_sources(is_modified ? QStringList{file} : QStringList())) {
+      sources_->close_tab(file);
+    }
+  });
 }
 
 void MainWindow::show_end() {

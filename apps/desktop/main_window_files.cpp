@@ -19,6 +19,7 @@
 #include "recorded_world.h"
 #include "scene/scene_view.h"
 #include "start_page.h"
+#include "text/sources_panel.h"
 #include "watch/fuzzy_panel.h"
 #include "watch/graph_panel.h"
 #include "watch/plots_panel.h"
@@ -247,7 +248,7 @@ void MainWindow::ask_about_disk() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!may_leave() || !may_leave_sources()) {
+  if (!may_leave() || !may_leave_sources(sources_->modified())) {
     event->ignore();
     return;
   }

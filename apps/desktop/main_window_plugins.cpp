@@ -80,16 +80,15 @@ void MainWindow::take_plugins(const QStringList& used, const QStringList& kept) 
   }
 }
 
-/// Asks about sources that are not saved. Returns false if the window stays.
-bool MainWindow::may_leave_sources() {
-  const QStringList files = sources_->modified();
+/// Asks about sources that are not saved. Returns false if they stay open.
+bool MainWindow::may_leave_sources(const QStringList& files) {
   if (files.isEmpty()) {
     return true;
   }
   switch (ask_about_unsaved(
       tr("The source '%1' has changes that are not saved. Save them?").arg(files.join("', '")))) {
     case Answer::save: {
-      const QString why = sources_->save_all();
+      const QString why = sources_->save(files);
       if (!why.isEmpty()) warn(this, tr("Not saved"), why);
       return why.isEmpty();
     }

@@ -143,6 +143,41 @@ TEST_CASE("A source that is not saved is asked about before the window closes") 
   CHECK(bytes_of(source) == "// more\n// mine\n");
 }
 
+TEST_CASE("A source that is not saved is asked about before its tab closes") {
+  Room window;
+  const QString source = window.file("// mine\n", "mine.cpp");
+  auto* sources = window->findChild<SourcesPanel*>();
+  auto* tabs = window.get<QTabWidget>("source_tabs");
+  REQUIRE(sources->open(source).isEmpty());
+  const auto type = [&] {
+    tabs->currentWidget()->findChild<CodeEditor*>("source_text")->insertPlainText("// more\n");
+  };
+  const auto close_tab = [&](MainWindow::Answer answer) {
+    window.answer = answer;
+    Q_EMIT tabs->tabCloseRequested(0);
+  };
+  SECTION("which takes no question without changes") {
+    close_tab(MainWindow::Answer::cancel);
+    CHECK(window.asked == 0);
+    CHECK(tabs->count() == 0);
+  }
+  SECTION("and stays, loses its text or saves it, as one likes") {
+    type();
+    close_tab(MainWindow::Answer::cancel);
+    CHECK(window.asked == 1);
+    CHECK(tabs->tabText(0) == "mine.cpp*");
+    CHECK(bytes_of(source) == "// mine\n");
+    close_tab(MainWindow::Answer::discard);
+    CHECK(tabs->count() == 0);
+    CHECK(bytes_of(source) == "// mine\n");
+    REQUIRE(sources->open(source).isEmpty());
+    type();
+    close_tab(MainWindow::Answer::save);
+    CHECK(tabs->count() == 0);
+    CHECK(bytes_of(source) == "// more\n// mine\n");
+  }
+}
+
 TEST_CASE("A source that another program has changed is overwritten only at the second try") {
   Room window;
   const QString source = window.file("// mine\r\n", "mine.cpp");
@@ -150,9 +185,9 @@ TEST_CASE("A source that another program has changed is overwritten only at the 
   REQUIRE(sources->open(source).isEmpty());
   window.get<CodeEditor>("source_text")->insertPlainText("// more\n");
   window.file("// theirs\r\n", "mine.cpp");
-  CHECK(sources->save_all().contains("has been changed by another program"));
+  CHECK(sources->save({source}).contains("has been changed by another program"));
   CHECK(bytes_of(source) == "// theirs\r\n");
-  CHECK(sources->save_all().isEmpty());
+  CHECK(sources->save({source}).isEmpty());
   CHECK(bytes_of(source) == "// more\r\n// mine\r\n");  // line ends stay
 }
 

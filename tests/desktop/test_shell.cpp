@@ -230,6 +230,6 @@ TEST_CASE("A compiler's lines are below its error, in a fixed font, and lead to 
   CHECK(text->textCursor().blockNumber() == 1);
   text->insertPlainText("my ");
   CHECK(shown->modified() == QStringList{source});
-  CHECK(shown->save_all().isEmpty());
+  CHECK(shown->save({source}).isEmpty());
   CHECK(bytes_of(source) == "first\nmy second\nthird\n");
 }

@@ -153,14 +153,7 @@ SourcesPanel::SourcesPanel(QWidget* parent) : QWidget(parent), tabs_(new QTabWid
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(tabs_);
   connect(tabs_, &QTabWidget::tabCloseRequested, this, [this](int tab) {
-    auto* editor = static_cast<SourceEditor*>(tabs_->widget(tab));
-    const QString why = editor->is_modified() ? editor->save() : QString();
-    if (!why.isEmpty()) {
-      Q_EMIT failed(why);
-      return;
-    }
-    tabs_->removeTab(tab);
-    editor->deleteLater();
+    Q_EMIT close_wished(static_cast<SourceEditor*>(tabs_->widget(tab))->file());
   });
 }
 
@@ -282,12 +275,21 @@ void SourcesPanel::put(const Typed& unsaved) {
   }
 }
 
-QString SourcesPanel::save_all() {
-  for (SourceEditor* each : editors()) {
-    const QString why = each->is_modified() ? each->save() : QString();
+QString SourcesPanel::save(const QStringList& files) {
+  for (const QString& file : files) {
+    SourceEditor* editor = editor_of(file);
+    const QString why = editor && editor->is_modified() ? editor->save() : QString();
     if (!why.isEmpty()) return why;
   }
   return {};
+}
+
+void SourcesPanel::close_tab(const QString& file) {
+  if (SourceEditor* editor = editor_of(file)) {
+    tabs_->removeTab(tabs_->indexOf(editor));
+    editor->deleteLater();
+    Q_EMIT edited();
+  }
 }
 
 }  // namespace elsie::desktop

@@ -72,10 +72,14 @@ class SourcesPanel : public QWidget {
   std::vector<Typed> unsaved() const;
   /// Puts a text that was not saved in the place of that of the file, which has a tab.
   void put(const Typed& unsaved);
-  /// Saves all. Returns "", or why a file cannot be written.
-  QString save_all();
+  /// Saves these. Returns "", or why a file cannot be written.
+  QString save(const QStringList& files);
+  /// Closes the tab of a file; what is not saved is lost.
+  void close_tab(const QString& file);
 
  Q_SIGNALS:
+  /// Somebody wants to close the tab of a file.
+  void close_wished(const QString& file);
   void failed(const QString& sentence);
   /// unsaved() may have changed.
   void edited();
