@@ -94,6 +94,43 @@ TEST_CASE("The camera follows a robot") {
   CHECK(std::abs(scene.camera().target.x + 1.0) > 0.05);  // it has driven
 }
 
+TEST_CASE("The camera that follows a robot rises over what would hide it, and sinks again") {
+  const bool is_at_wall = GENERATE(true, false);
+  INFO((is_at_wall ? "a wall" : "a box"));
+  Room window(QString(kSeeing)
+                  .replace("x=\"-1\"", is_at_wall ? "x=\"-1.8\"" : "x=\"0.3\"")
+                  .replace("x=\"1\" y=\"0.3\"",
+                           is_at_wall ? "x=\"1\" y=\"1.5\"" : "x=\"-0.1\" y=\"0\" height=\"0.4\"")
+                  .replace("<wander/>", "<go_to_point x=\"1.6\" y=\"0\"/>"));
+  SceneView& scene = window->scene();
+  // What is seen of the world where the robot is.
+  const auto seen = [&] {
+    const auto* chassis = scene.stage().chassis_of(*scene.stage().body_of("robot[r1]"));
+    const auto eye = scene.camera().frame().origin;
+    return scene.stage().at(eye, scene.stage().frame_of(*chassis).origin - eye).toStdString();
+  };
+  window.choose("robot[r1]");
+  scene.setFocus();
+  QTest::keyClick(&scene, Qt::Key_B);
+  CHECK(seen() == "robot[r1]");
+  const QPoint middle = scene.rect().center();
+  drag_by_hand(&scene, Qt::LeftButton, middle, middle - QPoint(0, 200), Qt::ControlModifier);
+  CHECK(seen() == "robot[r1]");
+  const double raised = scene.camera().raised;
+  CHECK(raised > 0.1);
+  window.run_past(4.0);
+  CHECK(seen() == "robot[r1]");
+  CHECK(scene.camera().raised < 0.9 * raised);
+}
+
+TEST_CASE("A camera that does not follow stands behind walls, if one likes") {
+  Room window(kSeeing);
+  SceneView& scene = window->scene();
+  const QPoint middle = scene.rect().center();
+  drag_by_hand(&scene, Qt::LeftButton, middle, middle - QPoint(0, 200));
+  CHECK(scene.camera().raised == 0.0);
+}
+
 TEST_CASE(
     "Trajectories, sketches of plugins, names and grid are drawn and can be hidden; "
     "no robot's camera sees them") {

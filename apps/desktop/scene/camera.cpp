@@ -24,6 +24,7 @@ double OrbitCamera::scale(const QSizeF& size) const {
 
 void OrbitCamera::show(double length, double width, double height, const QSizeF& size) {
   seat.reset();
+  raised = 0.0;
   target = {0.0, 0.0, 0.0};
   const QSizeF picture(std::max(1.0, size.width()), std::max(1.0, size.height()));
   const QRectF frame = QRectF(QPointF(0.0, 0.0), picture).marginsRemoved({16.0, 28.0, 16.0, 28.0});
@@ -53,7 +54,13 @@ void OrbitCamera::show(double length, double width, double height, const QSizeF&
   }
 }
 
+void OrbitCamera::stay_raised() {
+  pitch = std::max(pitch - raised, kFromTop.pitch);
+  raised = 0.0;
+}
+
 void OrbitCamera::orbit(const QPointF& by) {
+  stay_raised();
   yaw = wrap_angle(yaw - kPerPixel * by.x());
   pitch = std::max(pitch - kPerPixel * by.y(), kFromTop.pitch);
   stay_above_the_floor();
@@ -89,7 +96,7 @@ void OrbitCamera::zoom(double factor, const QPointF& pointer, const QSizeF& size
 
 Frame OrbitCamera::frame() const {
   if (seat) return *seat;
-  Frame frame = Frame::turned({}, yaw, pitch);
+  Frame frame = Frame::turned({}, yaw, std::max(pitch - raised, kFromTop.pitch));
   frame.origin = target - distance * frame.forward;
   return frame;
 }

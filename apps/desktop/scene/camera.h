@@ -20,6 +20,7 @@ class OrbitCamera {
   double distance = 10.0;  // m
   double yaw = 1.45;       // direction of its line of sight, from +x
   double pitch = -0.95;    // negative looks down
+  double raised = 0.0;     // how much steeper it looks down, so that nothing hides its target
   /// Where the camera is carried by a robot; none: it orbits.
   std::optional<Frame> seat{};
 
@@ -34,6 +35,11 @@ class OrbitCamera {
   static constexpr View kFromSide{std::numbers::pi, -0.15};
   static constexpr View kIsometric{0.25 * std::numbers::pi, -0.6155};  // asin(tan 30 degrees)
 
+  /// Whether raising it more would change anything.
+  bool can_rise() const { return pitch - raised > kFromTop.pitch; }
+  /// Stays where it was raised to.
+  void stay_raised();
+
   /// Move the camera by a movement of the mouse, px.
   void orbit(const QPointF& by);
   void pan(const QPointF& by, const QSizeF& size);
@@ -43,7 +49,7 @@ class OrbitCamera {
   /// Whether both orbit alike.
   friend bool operator==(const OrbitCamera& a, const OrbitCamera& b) {
     return a.target == b.target && a.distance == b.distance && a.yaw == b.yaw &&
-           a.pitch == b.pitch && a.seat.has_value() == b.seat.has_value();
+           a.pitch == b.pitch && a.raised == b.raised && a.seat.has_value() == b.seat.has_value();
   }
 
   Frame frame() const;

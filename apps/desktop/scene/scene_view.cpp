@@ -130,6 +130,7 @@ void SceneView::set_tool(Tool tool) {
 // The camera
 
 void SceneView::camera_moved() {
+  if (!(camera_ == all_)) keep_in_view();
   is_stale_ = true;
   can_wait_ = false;
   trails_.paint_anew();
@@ -190,13 +191,32 @@ void SceneView::follow_robot() {
   const Stage::Body* body = followed_.isEmpty() ? nullptr : stage_.body_of(followed_);
   if (!body) return;
   camera_.target = {body->frame.origin.x, body->frame.origin.y, 0.0};
+  constexpr double kPart = 0.15;  // of a turn that the camera makes with each picture
   if (follows_ == Follow::behind) {
-    constexpr double kPart = 0.15;  // of a turn that the camera makes with each picture
     camera_.yaw += kPart * wrap_angle(heading_rad(body->frame) - camera_.yaw);
   } else if (follows_ == Follow::eye) {
     camera_.seat = stage_.seat_of(followed_);
   }
+  keep_in_view((1.0 - kPart) * camera_.raised);
   trails_.paint_anew();
+}
+
+/// Raises the camera, at least so far, until it sees the robot that it follows over walls and
+/// obstacles. What is high and far away hides the robot again and again while it drives, so that
+/// the camera rises at once, and sinks bit by bit.
+void SceneView::keep_in_view(double least_rad) {
+  const Stage::Body* body = followed_.isEmpty() ? nullptr : stage_.body_of(followed_);
+  const Stage::Solid* chassis = body ? stage_.chassis_of(*body) : nullptr;
+  if (!chassis || camera_.seat) {
+    camera_.stay_raised();
+    return;
+  }
+  constexpr double kStep_rad = 0.02, kFoot = 0.4;  // of the chassis' height, below its middle
+  const Vector3 foot = stage_.frame_of(*chassis).point({0.0, 0.0, -kFoot * chassis->shape.size.z});
+  camera_.raised = least_rad;
+  while (camera_.can_rise() && stage_.is_hidden(foot, camera_.frame().origin)) {
+    camera_.raised += kStep_rad;
+  }
 }
 
 // Painting

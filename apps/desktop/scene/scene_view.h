@@ -148,6 +148,7 @@ class SceneView : public QWidget {
   QImage painted(double ratio);
   void refine();
   void follow_robot();
+  void keep_in_view(double least_rad = 0.0);
   void leave_seat();
   bool is_dark() const;
   void paint(QPainter& painter, bool with_handles);

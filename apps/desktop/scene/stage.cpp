@@ -472,6 +472,13 @@ QString Stage::at(const Vector3& from, const Vector3& direction, double* way_the
   return path;
 }
 
+bool Stage::is_hidden(const Vector3& place, const Vector3& from) const {
+  return std::any_of(solids_.begin(), solids_.end(), [&](const Solid& solid) {
+    return is_present(solid) && !solid.path.startsWith("robot[") && !is_bodiless(solid.path) &&
+           way_to(solid, frame_of(solid), from, place - from) < 1.0;
+  });
+}
+
 std::vector<std::pair<Vector3, Vector3>> edges_of(const Stage::Solid& solid, const Frame& frame) {
   constexpr std::size_t kMostUpright = 16;
   const std::vector<Vector2> corners = outline_of(solid.shape, kRound);

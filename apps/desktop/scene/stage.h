@@ -107,6 +107,9 @@ class Stage {
   /// Whether no object is nearer to that point of the floor than `room`, in m.
   bool is_free(const QPointF& at, double room) const;
 
+  /// Whether a wall or an obstacle is between these places.
+  bool is_hidden(const Vector3& place, const Vector3& from) const;
+
   /// Everything that must be drawn.
   render::Scene drawn() const;
   /// The first element that a ray meets; "" for the floor, a wall or nothing. `way`: receives how
