@@ -41,6 +41,13 @@ class LineDelegate : public QStyledItemDelegate {
   }
 };
 
+/// How well the title or another name of the offer fits.
+std::optional<int> fit_of(const QString& typed, const Offer& offer) {
+  std::optional<int> best = fit(typed, offer.title);
+  for (const QString& name : offer.also) best = std::max(best, fit(typed, name));
+  return best;
+}
+
 bool begins_word(const QString& title, qsizetype at) {
   return at == 0 || !title[at - 1].isLetterOrNumber();
 }
@@ -112,7 +119,7 @@ void CommandPalette::list_fitting() {
   const QString typed = wish_->text().simplified();
   std::vector<std::pair<int, Offer>> fitting;
   for (const Offer& each : offers_) {
-    if (const auto score = fit(typed, each.title)) fitting.emplace_back(*score, each);
+    if (const auto score = fit_of(typed, each)) fitting.emplace_back(*score, each);
   }
   if (typed.isEmpty()) {
     std::stable_sort(fitting.begin(), fitting.end(), [](const auto& a, const auto& b) {

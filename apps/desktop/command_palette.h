@@ -19,6 +19,7 @@ struct Offer {
   QString key;  // as the user reads it; "" if it has none
   QIcon icon;
   std::function<void()> does;
+  QStringList also{};  // other names by which it is found
 };
 
 /// How well a title fits what is typed: all its letters must be in the title in their order, in

@@ -87,6 +87,7 @@ void MainWindow::fill_looks_menus(QMenu* menu) {
     made->setCheckable(true);
     made->setChecked(is_chosen);
     among->addAction(made);
+    return made;
   };
   QMenu* themes = menu->addMenu(tr("Theme"));
   auto* theme_group = new QActionGroup(this);
@@ -99,14 +100,18 @@ void MainWindow::fill_looks_menus(QMenu* menu) {
   QMenu* tongues = menu->addMenu(tr("Language"));
   auto* language_group = new QActionGroup(this);
   const auto tongue = [&](const QString& code, const QString& text) {
-    choice(tongues, language_group, "language_" + code, text, language() == code, [this, code] {
-      choose_language(code);
-      say(tr("The next window that you open has this language."));
-    });
+    return choice(tongues, language_group, "language_" + code, text, language() == code,
+                  [this, code] {
+                    choose_language(code);
+                    say(tr("The next window that you open has this language."));
+                  });
   };
   tongue("system", tr("Language: as the s&ystem"));
+  const QString of = tr("Language: %1");
   for (const QString& code : languages()) {
-    tongue(code, tr("Language: %1").arg(name_of_language(code)));
+    const QStringList names = names_of_language(code);
+    tongue(code, of.arg(names[0]))
+        ->setData(QStringList{of.arg(names[1]), english_of(of).arg(names[2])});
   }
 }
 
@@ -116,36 +121,48 @@ void MainWindow::ask_for_command() {
   std::vector<Offer> offers;
   for (QAction* each : std::as_const(commands_)) {
     if (each->isEnabled()) {
+      QStringList also{english_of(each->text()), english_of(each->iconText())};
+      for (QString& name : also) name.remove('&');
       offers.push_back({title_of(*each), each->shortcut().toString(QKeySequence::NativeText),
-                        each->icon(), [each] { each->trigger(); }});
+                        each->icon(), [each] { each->trigger(); },
+                        also + each->data().toStringList()});
     }
   }
+  const QString show = tr("Show the window %1"), go = tr("Go to %1 (%2)"), read = tr("Open %1");
   for (QDockWidget* each : docks()) {
-    offers.push_back(
-        {tr("Show the window %1").arg(each->windowTitle()), {}, icon("window"), [each] {
-           each->show();
-           each->raise();
-         }});
+    const QString title = each->windowTitle();
+    offers.push_back({show.arg(title),
+                      {},
+                      icon("window"),
+                      [each] {
+                        each->show();
+                        each->raise();
+                      },
+                      {english_of(show).arg(english_of(title))}});
   }
   visit(workbench_.tree(), [&](const ElementPlace& place) {
     const QString name = name_of(*place.element);
     if (place.list.isEmpty() && !place.path.isEmpty() &&
         !attribute(*place.element, "id").isEmpty()) {
-      offers.push_back({tr("Go to %1 (%2)").arg(title_of(*place.element), name),
+      const QString title = title_of(*place.element);
+      offers.push_back({go.arg(title, name),
                         {},
                         icon(name),
                         [this, path = place.path] {
                           authoring_->select({path});
                           scene_->frame_selection();
-                        }});
+                        },
+                        {english_of(go).arg(title, name)}});
     }
     return name != "robot";
   });
   for (const QString& file : QSettings().value("recent").toStringList()) {
-    offers.push_back(
-        {tr("Open %1").arg(QFileInfo(file).fileName()), {}, icon("recent"), [this, file] {
-           open(file);
-         }});
+    const QString name = QFileInfo(file).fileName();
+    offers.push_back({read.arg(name),
+                      {},
+                      icon("recent"),
+                      [this, file] { open(file); },
+                      {english_of(read).arg(name)}});
   }
   const auto typed_offers = [this](const QString& typed) { return typed_commands(typed); };
   CommandPalette(std::move(offers), typed_offers, this).exec();
@@ -162,7 +179,9 @@ std::vector<Offer> MainWindow::typed_commands(const QString& typed) {
   const QString words = match.captured(1);
   const QString number = match.captured(2);
   const auto offer = [&](const QString& what, const QString& title, std::function<void()> does) {
-    if (fit(words, what)) offers.push_back({title.arg(number), {}, {}, std::move(does)});
+    if (fit(words, what) || fit(words, english_of(what))) {
+      offers.push_back({title.arg(number), {}, {}, std::move(does)});
+    }
   };
   const double value = number.toDouble();
   if (value > 0.0) {

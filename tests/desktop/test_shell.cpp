@@ -44,6 +44,18 @@ bool is_shown(Window& window, const char* dock) {
   return !window.get<QDockWidget>(dock)->isHidden();
 }
 
+/// What the palette lists first for these letters.
+QString first_for(Window& window, const char* letters) {
+  QString first;
+  at_dialog("commands_dialog", [&](QDialog* dialog) {
+    QTest::keyClicks(dialog->findChild<QLineEdit*>("wish"), letters);
+    first = dialog->findChild<QListWidget*>("fitting")->item(0)->text();
+    dialog->reject();
+  });
+  press_key(&window.window(), Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+  return first;
+}
+
 /// Types into the palette and presses Enter.
 void command_by_typing(Window& window, const char* letters) {
   at_dialog("commands_dialog", [letters](QDialog* dialog) {
@@ -163,6 +175,32 @@ TEST_CASE("The palette runs commands, sets numbers and goes to robots, by typing
   CHECK(wait_for([&] { return tree->selection() == QStringList{"robot[r1]"}; }));
   command_by_typing(window, "frtop");
   CHECK(wait_for([&] { return window->scene().camera().pitch < -1.5; }));
+}
+
+TEST_CASE("Readable: the palette finds commands by their English words and by those of the window",
+          "[readable]") {
+  Room window;
+  for (const auto& [letters, name] : {std::pair("german", "language_de"),
+                                      {"deutsch", "language_de"},
+                                      {"english", "language_en"},
+                                      {"save as", "save_as"},
+                                      {"from the top", "view_top"},
+                                      {"undo", "undo"},
+                                      {"static box", "add_static"}}) {
+    INFO(letters);
+    if (QString(letters) == "undo") {
+      window.after([&] { window.bench().edit({"robot[r1]/@x=0"}, "move"); });
+    }
+    CHECK(first_for(window, letters).toStdString() ==
+          window.get<QAction>(name)->text().remove('&').remove("...").toStdString());
+  }
+  CHECK(first_for(window, "window sensors")
+            .contains(window.get<QDockWidget>("dock_sensors")->windowTitle()));
+  CHECK(first_for(window, "go to r1").contains("r1"));
+  if (language() == "de") {
+    CHECK(first_for(window, "englisch").contains("English"));
+    CHECK(first_for(window, "von oben") == window.get<QAction>("view_top")->text().remove('&'));
+  }
 }
 
 TEST_CASE("A tree has one column: the name, and the kind in grey; what is given is its tool tip") {

@@ -139,6 +139,17 @@
     </message>
 </context>
 <context>
+    <name>Languages</name>
+    <message>
+        <source>English</source>
+        <translation>Englisch</translation>
+    </message>
+    <message>
+        <source>German</source>
+        <translation>Deutsch</translation>
+    </message>
+</context>
+<context>
     <name>Reasons</name>
     <message>
         <source>%1 has been stuck for %2 s: %3 and %4 cancel each other.</source>
