@@ -68,6 +68,59 @@ TEST_CASE("A new beam or proximity sensor is offered a random heading from 0 to 
   Window::press(dialog, QDialogButtonBox::Cancel);
 }
 
+TEST_CASE("No two rows of a form have the same name") {
+  Window window;
+  const Catalog& catalog = window.bench().catalog();
+  std::size_t forms = 0;
+  const auto check = [&](const Kind& kind) {
+    Form form;
+    form.show_fields(kind.fields, Json::object());
+    QStringList labels, names;
+    for (const QLabel* each : form.findChildren<QLabel*>()) {
+      if (each->buddy()) labels << each->text();
+    }
+    for (const Field& field : kind.fields) names << form.editor(field.name)->accessibleName();
+    INFO(kind.name.toStdString() << ": " << labels.join(", ").toStdString());
+    CHECK(labels.removeDuplicates() == 0);
+    CHECK(names.removeDuplicates() == 0);
+    CHECK(labels.size() == static_cast<qsizetype>(kind.fields.size()));
+    ++forms;
+  };
+  for (const auto& [name, element] : catalog.json()["elements"].items()) {
+    check(*catalog.element(QString::fromStdString(name)));
+  }
+  QSet<QString> checked;  // elements in elements of a plugin
+  const std::function<void(const QStringList&)> check_inside = [&](const QStringList& path) {
+    const auto kind = catalog.kind_of(path);
+    REQUIRE(kind);
+    check(*kind);
+    for (const QString& inner : kind->elements) {
+      const QString where = path[1] + '/' + inner;
+      if (checked.contains(where)) continue;
+      checked.insert(where);
+      check_inside(path + QStringList{inner});
+    }
+  };
+  for (const auto& [list, kind] : {std::pair("sensors", "sensor"),
+                                   {"behaviors", "behavior"},
+                                   {"actuators", "actuator"},
+                                   {"measures", "measure"},
+                                   {"rules", "rule"},
+                                   {"coordinator", "coordinator"},
+                                   {"drive", "drive"},
+                                   {"localisation", "localisation"}}) {
+    for (const Kind& plugin : catalog.plugins(kind)) check_inside({list, plugin.name});
+  }
+  CHECK(forms > 200);
+
+  const auto beam = catalog.kind_of(QStringList{"sensors", "beam_range"});
+  REQUIRE(beam);
+  Form form;
+  form.show_fields(beam->fields, Json::object());
+  CHECK(form.editor("error")->accessibleName() == "Error without unit");
+  CHECK(form.editor("error_m")->accessibleName() == "Error, m");
+}
+
 TEST_CASE("No behaviour is carried twice: what is carried is not in the pool, and >> takes one") {
   Room window;
   window.choose("robot[r1]");

@@ -1903,6 +1903,10 @@ gehemmt von %1</translation>
         <source>%1 in %2</source>
         <translation>%1 in %2</translation>
     </message>
+    <message>
+        <source>%1 without unit</source>
+        <translation>%1 ohne Einheit</translation>
+    </message>
 </context>
 <context>
     <name>elsie::desktop::FuzzyPanel</name>

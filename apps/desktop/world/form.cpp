@@ -104,6 +104,17 @@ QString tip_of(const Field& field) {
   return tip;
 }
 
+/// The name in words. Without their units, two may be alike: error and error_m.
+QString row_title(const Field& field, const std::vector<Field>& among) {
+  const QString words = in_words(field.name, field.unit);
+  const auto alike = std::count_if(among.begin(), among.end(), [&](const Field& each) {
+    return in_words(each.name, each.unit) == words;
+  });
+  return alike < 2              ? words
+         : field.unit.isEmpty() ? Form::tr("%1 without unit").arg(words)
+                                : Form::tr("%1 in %2").arg(words, unit_in_words(field.unit));
+}
+
 }  // namespace
 
 QString mistake_in(const Field& field, const QString& text) {
@@ -162,15 +173,9 @@ void Form::show_fields(const std::vector<Field>& fields, const Json& values) {
       layout_->removeRow(0);
     }
     rows_.clear();
-    std::map<QString, int> titles;  // without their units, two may be alike: error and error_m
-    for (const Field& field : fields) ++titles[in_words(field.name, field.unit)];
     int widest = 0;  // unit, so that the fields end below each other
     for (const Field& field : fields) {
-      rows_.push_back(make_row(field));
-      if (titles[in_words(field.name, field.unit)] > 1 && !field.unit.isEmpty()) {
-        rows_.back().label->setText(
-            tr("%1 in %2").arg(rows_.back().label->text(), unit_in_words(field.unit)));
-      }
+      rows_.push_back(make_row(field, row_title(field, fields)));
       if (rows_.back().unit) widest = std::max(widest, rows_.back().unit->sizeHint().width());
     }
     for (const Row& row : rows_) {
@@ -189,7 +194,7 @@ void Form::show_fields(const std::vector<Field>& fields, const Json& values) {
   }
 }
 
-QWidget* Form::make_editor(const Field& field) {
+QWidget* Form::make_editor(const Field& field, const QString& title) {
   const QString name = field.name;
   QWidget* editor = nullptr;
   if (!field.choices.isEmpty() || field.type == "boolean") {
@@ -208,8 +213,8 @@ QWidget* Form::make_editor(const Field& field) {
     editor = edit;
   }
   editor->setObjectName(name);
-  const QString words = in_words(name, field.unit);
-  editor->setAccessibleName(field.unit.isEmpty() ? words : words + ", " + field.unit);
+  editor->setAccessibleName(field.unit.isEmpty() ? title
+                                                 : in_words(name, field.unit) + ", " + field.unit);
   editor->setAccessibleDescription(field.meaning);
   editor->setToolTip(tip_of(field));
   return editor;
@@ -247,7 +252,7 @@ void Form::add_picker(QHBoxLayout* line, const QString& name) {
   line->addWidget(pick);
 }
 
-Form::Row Form::make_row(const Field& field) {
+Form::Row Form::make_row(const Field& field, const QString& title) {
   Row row;
   row.field = field;
   const QString name = field.name;
@@ -259,7 +264,7 @@ Form::Row Form::make_row(const Field& field) {
   line->setSpacing(fontMetrics().averageCharWidth() / 2);
   column->addLayout(line);
 
-  row.editor = make_editor(field);
+  row.editor = make_editor(field, title);
   row.editor->setMinimumWidth(kFewest_letters * fontMetrics().averageCharWidth());
   line->addWidget(row.editor, 1);
   if (!field.unit.isEmpty()) {
@@ -280,7 +285,7 @@ Form::Row Form::make_row(const Field& field) {
   row.reset->setIcon(icon("reset"));
   row.reset->setAutoRaise(true);
   row.reset->setObjectName(name + "_reset");
-  row.reset->setAccessibleName(tr("Default of %1").arg(in_words(name, field.unit)));
+  row.reset->setAccessibleName(tr("Default of %1").arg(title));
   row.reset->setToolTip(field.default_text.isEmpty()
                             ? tr("Remove the value")
                             : tr("Back to the default, %1").arg(field.default_text));
@@ -298,7 +303,7 @@ Form::Row Form::make_row(const Field& field) {
   row.problem->setObjectName(name + "_problem");
   column->addWidget(row.problem);
 
-  row.label = new QLabel(in_words(name, field.unit) + (field.is_required ? " *" : ""));
+  row.label = new QLabel(title + (field.is_required ? " *" : ""));
   row.label->setBuddy(row.editor);
   row.label->setToolTip(tip_of(field));
   layout_->addRow(row.label, row.whole);

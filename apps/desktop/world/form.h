@@ -70,8 +70,8 @@ class Form : public QWidget {
     QToolButton* reset = nullptr;
   };
 
-  Row make_row(const Field& field);
-  QWidget* make_editor(const Field& field);
+  Row make_row(const Field& field, const QString& title);
+  QWidget* make_editor(const Field& field, const QString& title);
   void add_browse(QHBoxLayout* line, const QString& name);
   void add_picker(QHBoxLayout* line, const QString& name);
   void show_value(Row& row);
