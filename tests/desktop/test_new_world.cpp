@@ -112,6 +112,33 @@ TEST_CASE("A behaviour in Python is loaded at once") {
   window.step();
 }
 
+TEST_CASE("The errors of a source stay listed while other plugins are loaded") {
+  Room window;
+  window.choose("robot[r1]");
+  Window::press(new_behavior(window, "steady", 0), QDialogButtonBox::Ok);
+  REQUIRE(wait_for([&] { return window.bench().text().contains("<steady/>"); }));
+  window.await_closed("new_behavior_dialog");
+  auto* text = window.get<CodeEditor>("source_text");
+  const QString right = text->whole_text();
+  const auto save = [&](const QString& source) {
+    text->selectAll();
+    text->insertPlainText(source);
+    text->setFocus();
+    press_key(text, Qt::Key_S, Qt::ControlModifier);
+  };
+  auto* list = window.get<QTreeWidget>("problems");
+  save("#include <no_such_header>\n" + right);
+  REQUIRE(wait_for([&] { return list->topLevelItemCount() == 1; }));
+
+  Window::press(new_behavior(window, "still", 1), QDialogButtonBox::Ok);
+  REQUIRE(wait_for([&] { return window.bench().text().contains("<still/>"); }));
+  REQUIRE(list->topLevelItemCount() == 1);
+  CHECK(list->topLevelItem(0)->toolTip(0).contains("no_such_header"));
+  window.get<QTabWidget>("source_tabs")->setCurrentIndex(0);
+  save(right);
+  CHECK(wait_for([&] { return list->topLevelItemCount() == 0; }));
+}
+
 TEST_CASE(
     "Without a compiler, a behaviour in C++ is written, and a sentence says what is missing") {
   const QByteArray before = qgetenv("CXX");

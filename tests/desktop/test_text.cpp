@@ -262,6 +262,26 @@ TEST_CASE("problems lead to their lines by Enter, double click and F8") {
   CHECK(go.last()[1].toInt() == 7);
 }
 
+TEST_CASE("what a compiler says leads to the line of its first error") {
+  ProblemsPanel panel;
+  panel.set_problems({{QStringLiteral("/w/pace.cpp"), 7,
+                       QStringLiteral("/w/pace.cpp:7:2: error: 'publik' does not name a type\n"
+                                      "    7 |  publik:\n"
+                                      "/w/pace.cpp:23:25: error: 'speed' was not declared\n")}});
+  auto* list = panel.findChild<QTreeWidget*>(QStringLiteral("problems"));
+  const QTreeWidgetItem* problem = list->topLevelItem(0);
+  CHECK(problem->text(1) == QStringLiteral("7"));
+  CHECK_FALSE(problem->text(0).contains(QStringLiteral("was not declared")));
+  QSignalSpy go(&panel, &ProblemsPanel::go_to);
+  panel.next();
+  REQUIRE(go.count() == 1);
+  CHECK(go[0][1].toInt() == 7);
+  Q_EMIT list->itemDoubleClicked(problem->child(0), 0);  // the line that it quotes
+  CHECK(go[1][1].toInt() == 7);
+  Q_EMIT list->itemDoubleClicked(problem->child(1), 0);
+  CHECK(go[2][1].toInt() == 23);
+}
+
 TEST_CASE("a key stroke changes no other character, also not blanks that are no plain ones") {
   WorldEditor editor;
   const QString text = QStringLiteral("<!-- 10\u00A0m, 3\u202Fs -->\n<world/>\n");

@@ -42,6 +42,12 @@ Problems listed(const Json& object, const char* list, bool are_warnings) {
   return problems;
 }
 
+QStringList names_in(const Json& event, const char* list) {
+  QStringList names;
+  for (const Json& each : member(event, list)) names << written(each);
+  return names;
+}
+
 }  // namespace
 
 Problems problems_of(const Json& answer) {
@@ -102,6 +108,7 @@ void Workbench::start_engine() {
   engine_.start();
   had_world_ = false;
   epoch_ = 0;  // each engine has its own count
+  plugin_problems_.clear();
   load_catalog();
 }
 
@@ -174,7 +181,7 @@ void Workbench::take(const Json& answer, const QString& sent) {
 }
 
 Problems Workbench::remarks() const {
-  Problems all = plugin_problems_;
+  Problems all = problems_of_plugins();
   all.insert(all.end(), warnings_.begin(), warnings_.end());
   return all;
 }
@@ -201,12 +208,7 @@ void Workbench::heard(const Json& event) {
     set_run(Run::ended);
     Q_EMIT ended(event);
   } else if (what == "plugins") {
-    plugin_problems_.clear();
-    for (const Json& each : member(event, "problems")) {
-      const QString message = written(each);
-      const Problem first = problems_in(message).front();
-      plugin_problems_.push_back({first.file, first.line, message});
-    }
+    take_plugin_problems(event);
     load_catalog();
     if (event.contains("tree")) {
       describe(event, history_text_);
@@ -217,17 +219,38 @@ void Workbench::heard(const Json& event) {
   }
 }
 
+/// The event tells of the plugins that it names; what is wrong with others stays.
+void Workbench::take_plugin_problems(const Json& event) {
+  const QStringList kept = names_in(event, "kept");
+  const QStringList told = names_in(event, "files") + names_in(event, "restored") + kept;
+  std::erase_if(plugin_problems_, [&told](const PluginProblem& each) {
+    return each.plugins.isEmpty() ||
+           std::any_of(each.plugins.begin(), each.plugins.end(),
+                       [&told](const QString& file) { return told.contains(file); });
+  });
+  for (const Json& each : member(event, "problems")) {
+    const QString message = written(each);
+    const Problem first = problems_in(message).front();
+    QStringList named;
+    std::copy_if(kept.begin(), kept.end(), std::back_inserter(named),
+                 [&message](const QString& file) { return message.contains(file); });
+    plugin_problems_.push_back({{first.file, first.line, message}, named.isEmpty() ? kept : named});
+  }
+}
+
+Problems Workbench::problems_of_plugins() const {
+  Problems all;
+  for (const PluginProblem& each : plugin_problems_) all.push_back(each.problem);
+  return all;
+}
+
 /// A plugin that was to be added is there, or is refused; or others have changed.
 void Workbench::take_plugins(const Json& event) {
-  const auto names = [&event](const char* list) {
-    QStringList files;
-    for (const Json& each : member(event, list)) files << written(each);
-    return files;
-  };
-  const QStringList files = names("files") + names("restored"), kept = names("kept");
+  const QStringList files = names_in(event, "files") + names_in(event, "restored");
+  const QStringList kept = names_in(event, "kept");
   if (!awaited_.isEmpty() && (files.contains(awaited_) || kept.contains(awaited_))) {
     const bool is_used = files.contains(std::exchange(awaited_, QString()));
-    end_change(is_used ? Problems() : plugin_problems_);
+    end_change(is_used ? Problems() : problems_of_plugins());
   }
   Q_EMIT plugins_changed(files, kept);
 }

@@ -181,6 +181,8 @@ class Workbench : public QObject {
   void start_engine();
   void load_catalog();
   void take_plugins(const Json& event);
+  void take_plugin_problems(const Json& event);
+  Problems problems_of_plugins() const;
   void heard(const Json& event);
   void lost(int exit_code, const QString& report);
   void keep_as_text(const QString& why);
@@ -222,6 +224,12 @@ class Workbench : public QObject {
 
   Engine engine_;
   Catalog catalog_;
+  /// Plugins whose old versions stay in use until the problem is solved.
+  struct PluginProblem {
+    Problem problem;
+    QStringList plugins;  // none: it is told once
+  };
+
   QString file_;
   bool is_borrowed_ = false;
   QString text_;
@@ -233,7 +241,8 @@ class Workbench : public QObject {
   TextForm form_;
   Json tree_, scene_;
   std::uint64_t epoch_ = 0;
-  Problems problems_, warnings_, plugin_problems_;
+  Problems problems_, warnings_;
+  std::vector<PluginProblem> plugin_problems_;
   History history_;
   std::deque<Change> changes_;  // the first is under way if is_changing_
   bool is_changing_ = false;

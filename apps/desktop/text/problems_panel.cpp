@@ -61,20 +61,20 @@ void ProblemsPanel::set_problems(const std::vector<Problem>& problems) {
     item->setToolTip(0, problem.message);
     set_place(*item, problem.file, problem.line);
     if (lines.size() > 1) {
-      add_lines(*item, lines.mid(1));
+      add_lines(*item, lines);
       has_lines = true;
     }
   }
   list_->setRootIsDecorated(has_lines);
 }
 
-/// The lines of a compiler below its error, as it wrote them. The error itself stands where the
-/// first of them says.
+/// The lines of a compiler after the first, below it, as it wrote them. The problem stands where
+/// the first error does.
 void ProblemsPanel::add_lines(QTreeWidgetItem& problem, const QStringList& lines) {
   const QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-  bool has_error = false;
-  CompilerLine last;
-  for (const QString& line : lines) {
+  CompilerLine last = compiler_line(lines.value(0)).value_or(CompilerLine());
+  bool has_error = last.is_error;
+  for (const QString& line : lines.mid(1)) {
     auto* item = new QTreeWidgetItem(&problem, {line});
     item->setFont(0, fixed);
     item->setToolTip(0, line);
