@@ -155,6 +155,7 @@ class MainWindow : public QMainWindow {
   void use_source(const QString& source, const QString& name);
   void open_source(const QString& file, int line);
   void take_plugins(const QStringList& used, const QStringList& kept);
+  void take_saved_model(const QString& file);
   bool may_leave_sources(const QStringList& files);
   bool bring_back_sources(const Recovered& recovered);
   void open_page(const QString& page);

@@ -99,6 +99,7 @@ void MainWindow::connect_workbench() {
       outcome_.clear();
       failure_.clear();
       show_problems();
+      fuzzy_->read_again();  // as the run does
       scene_->begin_trails_at(0.0);
       time_line_->clear();
       coordination_->clear();
@@ -211,8 +212,10 @@ void MainWindow::connect_views() {
   connect(start_, &StartPage::new_wished, actions_.new_world, &QAction::trigger);
   connect(start_, &StartPage::empty_wished, this, [this] { begin_world(empty_world); });
   connect(start_, &StartPage::browse_wished, actions_.open, &QAction::trigger);
-  connect(runs_, &RunReader::failed, this,
-          [this](const QString& why) { warn(this, tr("The run cannot be opened"), why); });
+  connect(runs_, &RunReader::failed, this, [this](const QString& why) {
+    statusBar()->clearMessage();  // "Reading..."
+    warn(this, tr("The run cannot be opened"), why);
+  });
 }
 
 void MainWindow::connect_cards() {
@@ -236,6 +239,9 @@ void MainWindow::connect_cards() {
   connect(run_card_, &RunCard::next_wished, this, [this] { run_with(workbench_.seed() + 1); });
   connect(run_card_, &RunCard::said, this, &MainWindow::say);
   connect(&workbench_, &Workbench::plugins_changed, this, &MainWindow::take_plugins);
+  connect(sources_, &SourcesPanel::model_saved, this, &MainWindow::take_saved_model);
+  connect(fuzzy_, &FuzzyPanel::edit_wished, this,
+          [this](const QString& file) { open_source(file, 0); });
   connect(sources_, &SourcesPanel::failed, this,
           [this](const QString& why) { warn(this, tr("Source"), why, "source_failed"); });
   connect(sources_, &SourcesPanel::close_wished, this, [this](const QString& file) {

@@ -10,6 +10,7 @@
 #include "main_window.h"
 #include "paint/warning_label.h"
 #include "text/sources_panel.h"
+#include "watch/fuzzy_panel.h"
 
 // Plugins that are written in the window, and the pages of the documentation.
 
@@ -77,6 +78,21 @@ void MainWindow::take_plugins(const QStringList& used, const QStringList& kept) 
                              "behavior_not_added");
                       }
                     });
+  }
+}
+
+/// A run keeps the models with which it began, so that it can be repeated.
+void MainWindow::take_saved_model(const QString& file) {
+  const QString mistake = fuzzy_->mistake_in(file);
+  const bool is_ready = workbench_.run_state() == Workbench::Run::ready;
+  if (!mistake.isEmpty()) {
+    sources_->say(file, tr("✗ Saved, but no run can use it: %1").arg(mistake));
+  } else if (is_ready) {
+    sources_->say(file, tr("✓ Saved: the run will use it."));
+    workbench_.reset(workbench_.seed());
+  } else {
+    sources_->say(file, tr("✓ Saved. This run keeps the version with which it began; the next one, "
+                           "after Reset (Ctrl+R), has this."));
   }
 }
 

@@ -1,5 +1,6 @@
 // What the window shows of a world and of a run: the present state, whole, and where it is looked
 // for.
+#include <QAbstractButton>
 #include <QDockWidget>
 #include <QHeaderView>
 #include <QLabel>
@@ -15,8 +16,11 @@
 #include <catch2/catch.hpp>
 
 #include "hands.h"
+#include "inferring.h"
+#include "paint/figures.h"
 #include "scene/scene_view.h"
 #include "scripted_engine.h"
+#include "text/code_editor.h"
 #include "text/problems_panel.h"
 #include "text/world_editor.h"
 #include "watch/fuzzy_instant.h"
@@ -237,6 +241,47 @@ TEST_CASE("Readable: nothing of the fuzzy window is cut off at the side", "[read
   CHECK(fits());
   window->resizeDocks({dock}, {280}, Qt::Horizontal);
   CHECK(wait_for(fits));
+}
+
+TEST_CASE("A fuzzy model is edited in the window, and shown as the run uses it") {
+  Window window;
+  const QByteArray shipped =
+      bytes_of(build_file("../share/elsie/fuzzy_models/avoid_obstacle_left.fcl"));
+  const QString model = window.file(shipped, "left.fcl");
+  window.open(window.file(QByteArray(kRoom).replace(
+      "<wander/>", "<avoid_obstacle left_model=\"left.fcl\" right_model=\"left.fcl\"/>")));
+  window.choose("robot[r1]");
+  FuzzyPanel* fuzzy = inferring(window);
+  const auto* page = dynamic_cast<const ShowsFigures*>(window.get<QWidget>("fuzzy_page"));
+  const auto shows = [&](const QString& rule) {
+    const auto rows = page->figures().rows;
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const QStringList& row) { return row.join(' ').contains(rule); });
+  };
+  const QString before = "range IS far OR azimuth IS behind THEN speed IS fast";
+  const QString after = "range IS far OR azimuth IS behind THEN speed IS slow";
+  CHECK(shows(before));
+
+  click_on(window.get<QAbstractButton>("edit_model"));
+  auto* text = window.get<CodeEditor>("source_text");
+  REQUIRE(wait_for([&] { return text->whole_text().toUtf8() == shipped; }));
+  const qsizetype line = text->whole_text().left(text->whole_text().indexOf(before)).count('\n');
+  text->go_to(static_cast<int>(line) + 1);
+  QTextCursor at = text->textCursor();
+  at.select(QTextCursor::LineUnderCursor);
+  at.insertText("  RULE 1 : IF " + after + ";");
+  text->setFocus();
+  press_key(text, Qt::Key_S, Qt::ControlModifier);
+  CHECK(bytes_of(model) == QByteArray(shipped).replace(before.toUtf8(), after.toUtf8()));
+  CHECK(window.get<QLabel>("source_state")->text().contains("the next one"));
+  CHECK(shows(before));  // the run goes on with the model that it has
+
+  window.act("reset");
+  show_dock(window.window(), "dock_fuzzy");
+  window.bench().run();
+  CHECK(wait_for([&] { return shows(after); }));
+  CHECK_FALSE(shows(before));
+  CHECK(fuzzy->problem() == QString());
 }
 
 TEST_CASE("Readable: numbers of different units have strips of their own, high enough",

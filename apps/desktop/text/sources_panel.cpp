@@ -211,6 +211,10 @@ void SourcesPanel::save(SourceEditor* editor) {
     Q_EMIT failed(why);
     return;
   }
+  if (editor->file().endsWith(QLatin1String(".fcl"))) {
+    Q_EMIT model_saved(editor->file());
+    return;
+  }
   const bool is_template = editor->file().endsWith(QLatin1String(".xml"));
   editor->say(is_template ? tr("Saved.") : tr("Saved. The engine loads it..."));
 }

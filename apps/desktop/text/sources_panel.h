@@ -81,6 +81,8 @@ class SourcesPanel : public QWidget {
   /// Somebody wants to close the tab of a file.
   void close_wished(const QString& file);
   void failed(const QString& sentence);
+  /// A fuzzy model, which the engine does not read again by itself.
+  void model_saved(const QString& file);
   /// unsaved() may have changed.
   void edited();
 

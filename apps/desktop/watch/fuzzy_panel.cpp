@@ -2,8 +2,11 @@
 
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -214,6 +217,7 @@ FuzzyPanel::FuzzyPanel(QWidget* parent)
     : QWidget(parent),
       notice_(new QLabel(this)),
       models_(new QComboBox(this)),
+      edit_(new QPushButton(tr("Edit..."), this)),
       page_(new Page),
       surface_(new ControlSurface) {
   setObjectName(QStringLiteral("fuzzy"));
@@ -223,6 +227,11 @@ FuzzyPanel::FuzzyPanel(QWidget* parent)
   models_->setObjectName(QStringLiteral("fuzzy_models"));
   models_->setAccessibleName(tr("Fuzzy model"));
   quiet_wheel(models_);
+  edit_->setObjectName(QStringLiteral("edit_model"));
+  edit_->setToolTip(tr("Opens the rules and terms of this model as a text"));
+  edit_->setEnabled(false);
+  connect(edit_, &QPushButton::clicked, this,
+          [this] { Q_EMIT edit_wished(models_->currentData().toStringList().value(0)); });
   page_->setObjectName(QStringLiteral("fuzzy_page"));
   page_->setAccessibleName(tr("Inputs, rules and outputs of the fuzzy model"));
   offer_figures(page_);
@@ -239,7 +248,10 @@ FuzzyPanel::FuzzyPanel(QWidget* parent)
   area->setWidget(whole);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(models_);
+  auto* top = new QHBoxLayout;
+  top->addWidget(models_, 1);
+  top->addWidget(edit_);
+  column->addLayout(top);
   column->addWidget(notice_);
   column->addWidget(area);
   connect(models_, &QComboBox::currentIndexChanged, this, [this] {
@@ -270,6 +282,7 @@ void FuzzyPanel::load() {
   page_->inputs.clear();
   page_->outputs.clear();
   const QStringList source = models_->currentData().toStringList();
+  edit_->setEnabled(source.size() == 2);
   if (source.size() == 2) {
     try {
       page_->model = fuzzy::read_fcl(source[0].toStdString(), source[1].toStdString());
@@ -279,6 +292,22 @@ void FuzzyPanel::load() {
   }
   page_->fit();
   surface_->set_model(page_->model ? &*page_->model : nullptr);
+}
+
+void FuzzyPanel::read_again() {
+  load();
+  show_values();
+}
+
+QString FuzzyPanel::mistake_in(const QString& file) const {
+  const QStringList source = models_->currentData().toStringList();
+  if (source.size() != 2 || QFileInfo(source[0]) != QFileInfo(file)) return {};
+  try {
+    fuzzy::read_fcl(file.toStdString(), source[1].toStdString());
+  } catch (const std::exception& error) {
+    return QString::fromUtf8(error.what());
+  }
+  return {};
 }
 
 void FuzzyPanel::add(const Json& state) {

@@ -11,6 +11,7 @@
 
 class QComboBox;
 class QLabel;
+class QPushButton;
 
 namespace elsie::desktop {
 
@@ -33,6 +34,10 @@ class FuzzyPanel : public QWidget {
   /// Shows the values of that time; null: those of the present.
   void look_back(const Instant* then);
   void clear();
+  /// Reads the chosen model again, as a run does that begins.
+  void read_again();
+  /// What is wrong with the file of the chosen model; "" if nothing is, or for another file.
+  QString mistake_in(const QString& file) const;
 
   /// What the chosen model computes from the shown values.
   const FuzzyInstant& now() const;
@@ -40,6 +45,9 @@ class FuzzyPanel : public QWidget {
   QString problem() const;
   /// What it says of values that are not stored; "" if they are.
   QString notice() const;
+
+ Q_SIGNALS:
+  void edit_wished(const QString& file);
 
  private:
   class Page;
@@ -52,6 +60,7 @@ class FuzzyPanel : public QWidget {
   std::optional<Instant> then_;
   QLabel* notice_;
   QComboBox* models_;
+  QPushButton* edit_;
   Page* page_;
   ControlSurface* surface_;
 };
