@@ -42,7 +42,12 @@ void MainWindow::read_run(const QString& file, const StoredRun& run) {
       time_line_->expect({}, run.end.time_s);
       return;
     }
-    show_recording({file, 0, name, world, {}, {}});
+    show_recording(
+        {file, 0, world.is_whole ? name : tr("%1 (not whole)").arg(name), world, {}, {}});
+    if (!world.is_whole) {
+      say(tr("'%1' is not whole: its writing was cut off. It is played as far as it goes.")
+              .arg(name));
+    }
     runs_->read_events(file, [this](const RecordedEvents& recorded) {
       time_line_->expect(recorded.events, recorded.end_s);
       set_end_of_recording(recorded.end_s);

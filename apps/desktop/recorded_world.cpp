@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "engine/elements.h"
+#include "engine/workbench.h"
 
 namespace elsie::desktop {
 namespace {
@@ -146,7 +147,8 @@ void RunReader::read_world(const QString& file, int run,
         QDir(each->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).size() <= 1);
     delete each;
   });
-  RecordedWorld world{folder->filePath(QFileInfo(file).completeBaseName() + ".xml"), 1, {}, folder};
+  RecordedWorld world{
+      folder->filePath(QFileInfo(file).completeBaseName() + ".xml"), 1, {}, folder, true};
   QStringList words{"replay", file};
   if (run > 0) {
     words << QString::number(run);
@@ -155,7 +157,7 @@ void RunReader::read_world(const QString& file, int run,
         [this, world, done = std::move(done)](QProcess& replay) mutable {
           if (replay.exitStatus() != QProcess::NormalExit || replay.exitCode() != 0 ||
               !QFileInfo::exists(world.file)) {
-            Q_EMIT failed(QString::fromUtf8(replay.readAllStandardError()).trimmed());
+            Q_EMIT failed(cause_in(QString::fromUtf8(replay.readAllStandardError())));
             return;
           }
           const Json said =
@@ -168,6 +170,7 @@ void RunReader::read_world(const QString& file, int run,
           }
           world.seed = said.value("seed", std::uint64_t{1});
           world.end = end_in(said);
+          world.is_whole = said.value("complete", true);
           done(world);
         });
 }
@@ -187,7 +190,7 @@ void RunReader::list_runs(const QString& database,
         [this, folder, table, done = std::move(done)](QProcess& report) {
           const std::vector<StoredRun> runs = runs_in(table);
           if (runs.empty()) {
-            const QString why = QString::fromUtf8(report.readAllStandardError()).trimmed();
+            const QString why = cause_in(QString::fromUtf8(report.readAllStandardError()));
             Q_EMIT failed(why.isEmpty() ? tr("There are no runs in this database.") : why);
             return;
           }

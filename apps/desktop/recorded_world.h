@@ -37,6 +37,7 @@ struct RecordedWorld {
   std::uint64_t seed = 1;
   RecordedEnd end;
   std::shared_ptr<QTemporaryDir> folder;  // deleted after the last use, if it has no other files
+  bool is_whole = true;                   // its file has an end
 };
 
 /// The recording that a window plays.

@@ -140,6 +140,13 @@ TEST_CASE("A film that ffmpeg cannot write, or that is cancelled, leaves the fil
     CHECK_FALSE(film_of(window, mp4, {"mp4", QSize(320, 180), 1.0}));
     CHECK(window.dialog<QMessageBox>("film_failed")->text().contains("Unknown encoder libx264"));
   }
+  SECTION("a full disk is said, which is not in its last words") {
+    programs.add("ffmpeg",
+                 "echo '[mp4 @ 0x1] Could not write header: No space left on device' >&2\n"
+                 "echo 'Error initializing output stream 0:0 --' >&2\nexit 1\n");
+    CHECK_FALSE(film_of(window, mp4, {"mp4", QSize(320, 180), 1.0}));
+    CHECK(window.dialog<QMessageBox>("film_failed")->text().contains("No space left on device"));
+  }
   SECTION("Cancel") {
     programs.add("ffmpeg", "exec sleep 60\n");
     CHECK_FALSE(film_of(window, mp4, {"mp4", QSize(320, 180), 1.0}, [&] {
@@ -209,6 +216,12 @@ TEST_CASE("The world from above is drawn as PNG, SVG and PDF, with the paths so 
   CHECK(drawn("above.svg").contains("<svg"));
   CHECK(drawn("above.svg").contains("r1"));
   CHECK(drawn("above.pdf").startsWith("%PDF"));
+  // 1200 of 300 dots per inch are 4 inches, whatever the format.
+  const QString svg = window.folder() + "/small.svg";
+  REQUIRE(picture_of(window, [&](Exporter& exporter) {
+    exporter.write_from_above(svg, {true, "svg", QSize(1200, 1200), 300});
+  }));
+  CHECK(bytes_of(svg).contains("width=\"384px\""));
   CHECK_FALSE(picture_of(window, [&](Exporter& exporter) {
     exporter.write_from_above("/no/such/folder/above.svg", {true, "svg", QSize(600, 600), 96});
   }));

@@ -154,6 +154,19 @@ TEST_CASE("A world that cannot be saved is said, and the file is what it was") {
   CHECK(bytes_of(file) == window.bench().text().toUtf8());
 }
 
+TEST_CASE("A world whose folder is taken away says so when it is saved") {
+  Window window;
+  QDir(window.folder()).mkdir("mine");
+  const QString file = window.file(kRoom, "mine/room.xml");
+  window.open(file);
+  window.after([&] { window.bench().edit({"robot[r1]/@x=-1.5"}, "move"); });
+  REQUIRE(QDir(window.folder() + "/mine").removeRecursively());
+  const QString why = window.saved_as(file);
+  CHECK(why.contains("there is no folder '" + window.folder() + "/mine'"));
+  CHECK_FALSE(why.contains("unchanged"));
+  window.bench().give_up_unsaved();
+}
+
 TEST_CASE("A write-protected file is asked about, and stays write-protected") {
   Window window;
   const QString file = window.file(kRoom);

@@ -16,6 +16,7 @@
 #include <catch2/catch.hpp>
 
 #include "control_bar.h"
+#include "disk.h"
 #include "export/exporter.h"
 #include "hands.h"
 #include "watch/plots_panel.h"
@@ -93,6 +94,24 @@ TEST_CASE("A file that only looks like a recording is said, while the window sta
   auto* box = window.dialog<QMessageBox>("warning");
   CHECK_FALSE(box->text().isEmpty());
   CHECK(window.bench().text() == kRoom);
+  CHECK(box->text().startsWith('\'' + broken + '\''));  // and not with the name of a program
+  CHECK_FALSE(window.said().contains("Reading"));
+}
+
+TEST_CASE("A recording whose writing was cut off says that it is not whole") {
+  Window window;
+  const QString whole = window.folder() + "/run.mcap";
+  run_elsie({"run", world_file("find_resource"), "--record", whole, "--duration", "12"});
+  const QByteArray bytes = bytes_of(whole);
+  const QString cut = window.folder() + "/cut.mcap";
+  write(cut, bytes.left(bytes.size() * 3 / 4));
+  window.open(cut);
+  auto* label = window.get<QLabel>("recording");
+  REQUIRE(wait_for([&] { return label->text().contains("cut.mcap"); }));
+  CHECK(label->text().contains("not whole"));
+  window.open(whole);
+  REQUIRE(wait_for([&] { return label->text().contains("run.mcap"); }));
+  CHECK_FALSE(label->text().contains("not whole"));
 }
 
 TEST_CASE("The events of a recording are on the time line, and the run goes on to one of them") {

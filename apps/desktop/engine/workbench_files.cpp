@@ -175,6 +175,11 @@ bool Workbench::is_changed_on_disk() const {
 // Saving
 
 QString Workbench::write(const QString& file, const QString& text) {
+  if (!QFileInfo(folder_of(file)).isDir()) {
+    return tr("The world could not be saved as '%1': there is no folder '%2'. 'Save as...' saves "
+              "it elsewhere.")
+        .arg(file, folder_of(file));
+  }
   QByteArray bytes = form_.bytes_of(text);
   // Without a second file in the same folder, a full disk would destroy the present one.
   const int error =

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kUsualDpi = 96.0;
 constexpr double kUsualHeight = 720.0;  // px; names in a larger film are as large as in this one
-constexpr int kDrawnWidth = 1000;       // of a picture of lines
+constexpr int kNarrowest = 200;         // of a picture of lines
 constexpr int kBetweenShown_ms = 500;   // pictures of a film in the view
 
 }  // namespace
@@ -106,13 +106,16 @@ void Exporter::write_view(const QString& file, const PictureChoice& choice) {
 
 void Exporter::write_from_above(const QString& file, const PictureChoice& choice) {
   const bool is_of_dots = file.endsWith(".png", Qt::CaseInsensitive);
-  workbench_.ask({{"do", "picture"},
-                  {"file", file.toStdString()},
-                  {"width", is_of_dots ? choice.size.width() : kDrawnWidth}},
-                 [this, file](const Json& answer) {
-                   const Problems problems = problems_of(answer);
-                   end_picture(file, problems.empty() ? QString() : problems.front().message);
-                 });
+  const double as_lines = choice.size.width() * kUsualDpi / choice.dpi;
+  workbench_.ask(
+      {{"do", "picture"},
+       {"file", file.toStdString()},
+       {"width", is_of_dots ? choice.size.width()
+                            : std::max(kNarrowest, static_cast<int>(std::lround(as_lines)))}},
+      [this, file](const Json& answer) {
+        const Problems problems = problems_of(answer);
+        end_picture(file, problems.empty() ? QString() : problems.front().message);
+      });
 }
 
 void Exporter::end_picture(const QString& file, const QString& why) {

@@ -5,6 +5,8 @@
 #include <QImage>
 #include <QStandardPaths>
 #include <QTimer>
+#include <cerrno>
+#include <cstring>
 #include <system_error>
 #include <utility>
 
@@ -150,8 +152,9 @@ void PipedFilm::finish() {
   if (why_.isEmpty() &&
       (process_.exitStatus() != QProcess::NormalExit || process_.exitCode() != 0)) {
     const QString last = QString::fromLocal8Bit(said_).trimmed().section(u'\n', -1);
-    why_ = last.isEmpty() ? tr("ffmpeg ended with exit code %1").arg(process_.exitCode())
-                          : tr("ffmpeg says '%1'").arg(last);
+    why_ = said_.contains(std::strerror(ENOSPC)) ? reason_of(ENOSPC)
+           : last.isEmpty() ? tr("ffmpeg ended with exit code %1").arg(process_.exitCode())
+                            : tr("ffmpeg says '%1'").arg(last);
   }
   if (why_.isEmpty() && written_.replace() != 0) {
     why_ = reason_of(written_.error());
