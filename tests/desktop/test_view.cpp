@@ -296,6 +296,24 @@ TEST_CASE("Names do not lie over one another, however small the robots are") {
   CHECK(are_apart());
 }
 
+TEST_CASE("The names of a crowd do not hide it") {
+  QByteArray crowd;
+  for (int i = 0; i < 400; ++i) {
+    crowd += "<robot id=\"robot" + QByteArray::number(i) + "\" x=\"" +
+             QByteArray::number(i % 20 - 9.5) + "\" y=\"" + QByteArray::number(i / 20 - 9.5) +
+             "\"/>";
+  }
+  Window window;
+  window.open(window.file("<world format=\"1\"><arena length=\"21\" width=\"21\"/><robots>" +
+                          crowd + "</robots></world>"));
+  const SceneView& scene = window->scene();
+  REQUIRE(wait_for([&] { return scene.stage().bodies().size() == 400; }));
+  double covered = 0.0;
+  for (const Label& each : scene.labels()) covered += each.box.width() * each.box.height();
+  CHECK(covered > 0.0);
+  CHECK(covered < 0.17 * scene.width() * scene.height());
+}
+
 TEST_CASE("What is locked is marked in the trees and in the view, and can be unlocked") {
   Room window(kSeeing);
   SceneView& scene = window->scene();

@@ -10,9 +10,10 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr double kHigh = 0.15;  // m, above the foot of a robot
-constexpr double kAside = 3.0;  // space at the sides of the text in its box
-constexpr double kAbove = 6.0;  // px
+constexpr double kHigh = 0.15;         // m, above the foot of a robot
+constexpr double kAside = 3.0;         // space at the sides of the text in its box
+constexpr double kAbove = 6.0;         // px
+constexpr double kMostCovered = 0.15;  // of the view, by all of them
 
 }  // namespace
 
@@ -34,7 +35,9 @@ std::vector<Label> labels_of(const Stage& stage, const OrbitCamera& camera, cons
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   const QRectF view(QPointF(0.0, 0.0), QSizeF(size));
   std::vector<Label> labels;
+  double room = kMostCovered * view.width() * view.height();
   const auto add = [&](const Vector3& place, const QString& name) {
+    if (room < 0.0) return;
     const auto at = camera.project(place, size);
     if (!at) return;
     const QPointF corner(at->x() - 0.5 * metrics.horizontalAdvance(name) - kAside,
@@ -45,6 +48,7 @@ std::vector<Label> labels_of(const Stage& stage, const OrbitCamera& camera, cons
           std::none_of(labels.begin(), labels.end(),
                        [&box](const Label& other) { return other.box.intersects(box); })) {
         labels.push_back({name, box});
+        room -= box.width() * box.height();
         return;
       }
     }

@@ -21,7 +21,8 @@ QRectF label_box(const QFontMetricsF& metrics, const QPointF& at, const QString&
 
 /// The names of the robots in a view of that size, then those of goals, without overlaps: each is
 /// above its robot or goal, or a line higher or lower where another name is in the way. Names
-/// without room are left out, those of goals and of robots far from the camera first.
+/// without room are left out, those of goals and of robots far from the camera first; all together
+/// cover a small part of the view.
 std::vector<Label> labels_of(const Stage& stage, const OrbitCamera& camera, const QSize& size,
                              const QFontMetricsF& metrics);
 
