@@ -1938,6 +1938,14 @@ gehemmt von %1</translation>
         <source>The values at %1 s are not stored: they are while this window is shown and the model is asked.</source>
         <translation>Die Werte bei %1 s sind nicht gespeichert: Sie werden es nur, solange dieses Fenster zu sehen ist und das Modell gefragt wird.</translation>
     </message>
+    <message>
+        <source>Opens the rules and terms of this model as a text</source>
+        <translation>Öffnet die Regeln und Terme dieses Modells als Text</translation>
+    </message>
+    <message>
+        <source>Edit...</source>
+        <translation>Bearbeiten...</translation>
+    </message>
 </context>
 <context>
     <name>elsie::desktop::GraphPanel</name>
@@ -3010,6 +3018,26 @@ Trotzdem speichern?</translation>
         <source>This window continues the unsaved work; &apos;%1&apos; is not opened.</source>
         <translation>Dieses Fenster setzt die ungesicherte Arbeit fort; &apos;%1&apos; wird nicht geöffnet.</translation>
     </message>
+    <message>
+        <source>✗ Saved, but no run can use it: %1</source>
+        <translation>✗ Gespeichert, aber kein Lauf kann es verwenden: %1</translation>
+    </message>
+    <message>
+        <source>✓ Saved: the run will use it.</source>
+        <translation>✓ Gespeichert: der Lauf wird es verwenden.</translation>
+    </message>
+    <message>
+        <source>✓ Saved. This run keeps the version with which it began; the next one, after Reset (Ctrl+R), has this.</source>
+        <translation>✓ Gespeichert. Dieser Lauf behält die Fassung, mit der er begonnen hat; der nächste, nach Zurücksetzen (Strg+R), hat diese.</translation>
+    </message>
+    <message>
+        <source>%1 (not whole)</source>
+        <translation>%1 (unvollständig)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not whole: its writing was cut off. It is played as far as it goes.</source>
+        <translation>&apos;%1&apos; ist unvollständig: das Schreiben wurde abgebrochen. Die Aufzeichnung wird so weit abgespielt, wie sie reicht.</translation>
+    </message>
 </context>
 <context>
     <name>elsie::desktop::NewBehaviorDialog</name>
@@ -3980,6 +4008,10 @@ Ausgänge: %3 (%4)</translation>
     <message>
         <source>&apos;%1&apos; was typed for %2 and is not entered: %3</source>
         <translation>&apos;%1&apos; wurde für %2 getippt und ist nicht übernommen: %3</translation>
+    </message>
+    <message>
+        <source>The world could not be saved as &apos;%1&apos;: there is no folder &apos;%2&apos;. &apos;Save as...&apos; saves it elsewhere.</source>
+        <translation>Die Welt konnte nicht als &apos;%1&apos; gespeichert werden: den Ordner &apos;%2&apos; gibt es nicht. &apos;Speichern unter...&apos; speichert sie anderswo.</translation>
     </message>
 </context>
 <context>
