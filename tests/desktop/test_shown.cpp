@@ -243,47 +243,6 @@ TEST_CASE("Readable: nothing of the fuzzy window is cut off at the side", "[read
   CHECK(wait_for(fits));
 }
 
-TEST_CASE("A fuzzy model is edited in the window, and shown as the run uses it") {
-  Window window;
-  const QByteArray shipped =
-      bytes_of(build_file("../share/elsie/fuzzy_models/avoid_obstacle_left.fcl"));
-  const QString model = window.file(shipped, "left.fcl");
-  window.open(window.file(QByteArray(kRoom).replace(
-      "<wander/>", "<avoid_obstacle left_model=\"left.fcl\" right_model=\"left.fcl\"/>")));
-  window.choose("robot[r1]");
-  FuzzyPanel* fuzzy = inferring(window);
-  const auto* page = dynamic_cast<const ShowsFigures*>(window.get<QWidget>("fuzzy_page"));
-  const auto shows = [&](const QString& rule) {
-    const auto rows = page->figures().rows;
-    return std::any_of(rows.begin(), rows.end(),
-                       [&](const QStringList& row) { return row.join(' ').contains(rule); });
-  };
-  const QString before = "range IS far OR azimuth IS behind THEN speed IS fast";
-  const QString after = "range IS far OR azimuth IS behind THEN speed IS slow";
-  CHECK(shows(before));
-
-  click_on(window.get<QAbstractButton>("edit_model"));
-  auto* text = window.get<CodeEditor>("source_text");
-  REQUIRE(wait_for([&] { return text->whole_text().toUtf8() == shipped; }));
-  const qsizetype line = text->whole_text().left(text->whole_text().indexOf(before)).count('\n');
-  text->go_to(static_cast<int>(line) + 1);
-  QTextCursor at = text->textCursor();
-  at.select(QTextCursor::LineUnderCursor);
-  at.insertText("  RULE 1 : IF " + after + ";");
-  text->setFocus();
-  press_key(text, Qt::Key_S, Qt::ControlModifier);
-  CHECK(bytes_of(model) == QByteArray(shipped).replace(before.toUtf8(), after.toUtf8()));
-  CHECK(window.get<QLabel>("source_state")->text().contains("the next one"));
-  CHECK(shows(before));  // the run goes on with the model that it has
-
-  window.act("reset");
-  show_dock(window.window(), "dock_fuzzy");
-  window.bench().run();
-  CHECK(wait_for([&] { return shows(after); }));
-  CHECK_FALSE(shows(before));
-  CHECK(fuzzy->problem() == QString());
-}
-
 TEST_CASE("Readable: numbers of different units have strips of their own, high enough",
           "[readable]") {
   Window window;
@@ -323,4 +282,45 @@ TEST_CASE("Readable: the tree has no scroll bar at the side, and a long field sh
   REQUIRE(wait_for([&] { return energy->isVisible(); }));
   window.bench().pause();
   CHECK(form.editor("energy")->width() >= 8 * form.fontMetrics().averageCharWidth());
+}
+
+TEST_CASE("A fuzzy model is edited in the window, and shown as the run uses it") {
+  Window window;
+  const QByteArray shipped =
+      bytes_of(build_file("../share/elsie/fuzzy_models/avoid_obstacle_left.fcl"));
+  const QString model = window.file(shipped, "left.fcl");
+  window.open(window.file(QByteArray(kRoom).replace(
+      "<wander/>", "<avoid_obstacle left_model=\"left.fcl\" right_model=\"left.fcl\"/>")));
+  window.choose("robot[r1]");
+  FuzzyPanel* fuzzy = inferring(window);
+  const auto* page = dynamic_cast<const ShowsFigures*>(window.get<QWidget>("fuzzy_page"));
+  const auto shows = [&](const QString& rule) {
+    const auto rows = page->figures().rows;
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const QStringList& row) { return row.join(' ').contains(rule); });
+  };
+  const QString before = "range IS far OR azimuth IS behind THEN speed IS fast";
+  const QString after = "range IS far OR azimuth IS behind THEN speed IS slow";
+  CHECK(shows(before));
+
+  click_on(window.get<QAbstractButton>("edit_model"));
+  auto* text = window.get<CodeEditor>("source_text");
+  REQUIRE(wait_for([&] { return text->whole_text().toUtf8() == shipped; }));
+  const qsizetype line = text->whole_text().left(text->whole_text().indexOf(before)).count('\n');
+  text->go_to(static_cast<int>(line) + 1);
+  QTextCursor at = text->textCursor();
+  at.select(QTextCursor::LineUnderCursor);
+  at.insertText("  RULE 1 : IF " + after + ";");
+  text->setFocus();
+  press_key(text, Qt::Key_S, Qt::ControlModifier);
+  CHECK(bytes_of(model) == QByteArray(shipped).replace(before.toUtf8(), after.toUtf8()));
+  CHECK(window.get<QLabel>("source_state")->text().contains("the next one"));
+  CHECK(shows(before));  // the run goes on with the model that it has
+
+  window.act("reset");
+  show_dock(window.window(), "dock_fuzzy");
+  window.bench().run();
+  CHECK(wait_for([&] { return shows(after); }));
+  CHECK_FALSE(shows(before));
+  CHECK(fuzzy->problem() == QString());
 }
