@@ -118,7 +118,8 @@ TEST_CASE("Pictures, messages and reasons of a time are there if they were watch
   CHECK(robot["cameras"][0]["pictures"].size() == 2);
   CHECK(robot["heard"] == seen["heard"]);
   for (const Json& member : seen["members"]) {
-    CHECK(robot["reasons"].value(member["path"].get<std::string>(), "") == member["reason"]);
+    CHECK(robot["reasons"].value(member["path"].get<std::string>(), "") ==
+          member["reason"].get<std::string>());
   }
   CHECK_FALSE(robot.contains("members"));  // they are among the numbers
   CHECK_FALSE(at(session, 1.5).contains("look"));

@@ -207,7 +207,7 @@ TEST_CASE(
       "height=\"0.8\"/></obstacles>");
   CHECK(edited(pushed, {"lamp[+]=<lamp/>"}).lamps.size() == 1);
   CHECK_THROWS_WITH(edited(pushed, {"lamp[+]=<lamp x=\"2\"/>"}),
-                    Catch::Matchers::Contains("is inside the box 'shelf'"));
+                    Catch::Contains("is inside the box 'shelf'"));
 }
 
 TEST_CASE("What the floor says is written again") {
