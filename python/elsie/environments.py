@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from elsie import _elsie
+from elsie.checks import is_number, whole
 from elsie.errors import InputError
 from elsie.simulations import MOST_THREADS, note_of_bits
 from elsie.spaces import Box, Discrete, MultiDiscrete
@@ -28,6 +29,9 @@ Reward = Union[None, str, Sequence[str], Mapping[str, float], Callable[[Any, Any
 """Measures and values of results, with weights; or a function of observation, action and following observation."""
 WorldLike = Union[str, "os.PathLike[str]", _elsie.World]
 Floats = NDArray[np.float32]
+
+_MOST = 10**9  # steps; environments
+_GREATEST_SEED = 2**63 - 1  # of Gymnasium
 
 if TYPE_CHECKING:
     _GymEnv = object
@@ -56,16 +60,15 @@ class Setup:
         steps = declared["steps"] or self.world.control_steps if steps is None else steps
         duration = declared["duration"] if duration is None else duration
         self.is_one = is_one
-        self.process = os.getpid() if _whole("threads", threads, MOST_THREADS) > 1 else 0
+        self.process = os.getpid() if whole("threads", threads, 1, MOST_THREADS) > 1 else 0
         robots = "all" if robots is None and not is_one else robots
         self.robots = _robots_of(self.world, robots, is_one)
-        self.steps = _whole("steps", steps)
-        if duration is not None and not (isinstance(duration, (int, float, np.number)) and not isinstance(duration, bool)
-                                         and 0 < duration < np.inf):
+        self.steps = whole("steps", steps, 1, _MOST)
+        if duration is not None and not (is_number(duration) and 0 < duration < np.inf):
             raise InputError(f"duration={duration!r}: expected a time above 0 s")
         self.is_choice = act in ("choice", ["choice"])
         self.reward = reward if callable(reward) else None
-        self.worlds = _elsie.Worlds(self.world, _whole("num_envs", count), _whole("threads", threads, MOST_THREADS), self.robots,
+        self.worlds = _elsie.Worlds(self.world, whole("num_envs", count, 1, _MOST), int(threads), self.robots,
                                     _names("observe", observe), _names("act", "priorities" if self.is_choice else act),
                                     None if callable(reward) else _terms(reward), self.steps, duration)
         observed = [self.worlds.observed(i) for i in range(len(self.robots))]
@@ -112,12 +115,6 @@ class Setup:
     def metadata(self) -> dict[str, Any]:
         fps = max(1, round(1.0 / (self.steps * self.world.step_s)))
         return {"render_modes": ["rgb_array"], "render_fps": fps, "name": self.world.name or "elsie"}
-
-
-def _whole(name: str, value: int, most: int = 10**9) -> int:
-    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not 1 <= value <= most:
-        raise InputError(f"{name}={value!r}: expected a whole number from 1 to {most}")
-    return int(value)
 
 
 def _robots_of(world: _elsie.World, robots: Union[None, str, Sequence[str]], is_one: bool) -> list[str]:
@@ -405,6 +402,4 @@ def refuse_options(options: Optional[Mapping[str, Any]], known: Sequence[str] = 
 
 
 def checked_seed(seed: Any) -> int:
-    if isinstance(seed, bool) or not isinstance(seed, (int, np.integer)) or not 0 <= seed < 2**63:
-        raise InputError(f"seed={seed!r}: expected a whole number from 0 to 2^63 - 1")
-    return int(seed)
+    return whole("seed", seed, 0, _GREATEST_SEED)

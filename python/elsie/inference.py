@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from elsie import _elsie
+from elsie.checks import GREATEST_SEED, whole
 from elsie.errors import InputError
 from elsie.worlds import File
 
@@ -119,9 +120,7 @@ class Network(_elsie.Network):
 
         method: "standard", or "original", that of the published experiments (docs/training.md).
         """
-        if not 0 <= seed < 2**64:
-            raise InputError(f"seed: expected a whole number from 0 to 2**64 - 1, not {seed}")
-        _elsie.Network.__init__(self, list(sizes), seed, method)
+        _elsie.Network.__init__(self, list(sizes), whole("seed", seed, 0, GREATEST_SEED), method)
 
     @classmethod
     def load(cls, file: File) -> Network:
@@ -159,8 +158,7 @@ class Network(_elsie.Network):
 
         It ends when the mean error of an epoch is below `threshold`, or after so many presentations. Targets are from 0 to 1.
         """
-        if presentations < 1:
-            raise InputError(f"presentations: expected a whole number of at least 1, not {presentations}")
+        presentations = whole("presentations", presentations, 1)
         ending, done, curve = self._train_rows(np.asarray(inputs, dtype=float), np.asarray(targets, dtype=float),
                                               learning_rate, momentum, method, threshold, presentations)
         return Training(ending, done, np.asarray(curve, dtype=float).reshape(-1, 2))

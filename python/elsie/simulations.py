@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from elsie import _elsie
+from elsie.checks import GREATEST_SEED, is_number, whole
 from elsie.errors import EditRefused, Error, InputError, PhysicsFault, PluginFault
 from elsie.results import Event, Note, Result, result_of
 from elsie.worlds import File, Paths, Value, World
@@ -92,10 +93,9 @@ class Simulation(_elsie.Simulation, Paths):
         change this simulation.
         """
         read = world if isinstance(world, _elsie.World) else World(world)
-        _require_seed(seed)
-        if not _is_whole(threads) or not 1 <= threads <= MOST_THREADS:
-            raise InputError(f"threads: expected a whole number from 1 to {MOST_THREADS}, not {threads!r}")
-        if time_limit is not None and not (_is_number(time_limit) and 0 < time_limit < math.inf):
+        whole("seed", seed, 0, GREATEST_SEED)
+        whole("threads", threads, 1, MOST_THREADS)
+        if time_limit is not None and not (is_number(time_limit) and 0 < time_limit < math.inf):
             raise InputError(f"time_limit: expected a number of seconds above 0, not {time_limit!r}")
         is_watched = len(read.robots) <= _MOST_WATCHED if watch is None else watch
         _elsie.Simulation.__init__(self, read, seed, threads, time_limit, list((edits or {}).items()), is_watched, is_watched)
@@ -114,11 +114,11 @@ class Simulation(_elsie.Simulation, Paths):
 
         Raises `elsie.PluginFault` and `elsie.PhysicsFault`, which end the run; later calls raise them again.
         """
-        return self._go(_whole(steps, "steps"), math.inf)
+        return self._go(min(whole("steps", steps, 0), 2**63), math.inf)
 
     def run(self, until: Optional[float] = None) -> Result:
         """Makes steps until a goal or a limit ends the run, or until this simulated time, s. Returns the result so far."""
-        if until is not None and (not _is_number(until) or math.isnan(until)):
+        if until is not None and (not is_number(until) or math.isnan(until)):
             raise InputError(f"until: expected a time in seconds, not {until!r}")
         self._go(2**63, math.inf if until is None else until)
         return self.result()
@@ -128,7 +128,7 @@ class Simulation(_elsie.Simulation, Paths):
 
         It may look at the run and edit it, and not make steps. What it raises comes out of step() or run().
         """
-        if every is not None and not (_is_number(every) and 0 < every < math.inf):
+        if every is not None and not (is_number(every) and 0 < every < math.inf):
             raise InputError(f"every: expected a number of seconds above 0, not {every!r}")
         if not callable(function):
             raise TypeError(f"observe() expected a function of the simulation, not {type(function).__name__}")
@@ -140,7 +140,7 @@ class Simulation(_elsie.Simulation, Paths):
         """Starts again at time zero, with this seed or the same. Edits since the start, observers and recordings are forgotten."""
         self._refuse_in_observer("reset")
         if seed is not None:
-            _require_seed(seed)
+            whole("seed", seed, 0, GREATEST_SEED)
         self._reset_to(seed)
         self._observers.clear()
         self._events.clear()
@@ -326,22 +326,3 @@ class Simulation(_elsie.Simulation, Paths):
 
     def _headline(self) -> str:
         return f"{self.outcome} after {self.time:.1f} s (seed {self.seed})"
-
-
-def _require_seed(seed: int) -> None:
-    if not isinstance(seed, (int, np.integer)) or not 0 <= seed < 2**64:
-        raise InputError(f"seed: expected a whole number from 0 to 2**64 - 1, not {seed!r}")
-
-
-def _is_whole(value: object) -> bool:
-    return isinstance(value, (int, np.integer)) and not isinstance(value, bool)
-
-
-def _is_number(value: object) -> bool:
-    return isinstance(value, (int, float, np.number)) and not isinstance(value, bool)
-
-
-def _whole(number: int, name: str) -> int:
-    if not _is_whole(number) or number < 0:
-        raise InputError(f"{name}: expected a whole number of at least 0, not {number!r}")
-    return min(int(number), 2**63)

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 import numpy as np
 
 from elsie import _elsie
+from elsie.checks import whole
 from elsie.errors import Error, InputError, PluginError, Problem
 from elsie.results import Result
 from elsie.simulations import Simulation, note_of_bits
@@ -52,9 +53,7 @@ def run(world: Union[World, File], seeds: Iterable[int] = range(1, 2), *,
         raise InputError(f"seeds: expected several whole numbers, such as range(1, 6), not {seeds!r}")
     seeds = list(seeds)
     processors = len(os.sched_getaffinity(0))
-    count = processors if workers is None else workers
-    if not isinstance(count, int) or count < 1:
-        raise InputError(f"workers: expected a whole number of at least 1, not {count!r}")
+    count = processors if workers is None else whole("workers", workers, 1)
     stop = threading.Event()
     note_of_bits()
 

@@ -148,6 +148,7 @@ def test_many_threads_on_one_simulation():
     (lambda: elsie.Simulation(elsie.World.parse(ARENA)).observe(print, every="1"), "every: .* not '1'"),
     (lambda: elsie.run(elsie.World.parse(ARENA), 5), "seeds: .* not 5"),
     (lambda: elsie.run(elsie.World.parse(ARENA), workers="2"), "workers: .* not '2'"),
+    (lambda: elsie.run(elsie.World.parse(ARENA), workers=True), "workers: .* not True"),
     (lambda: elsie.Env(elsie.World.parse(ARENA), robot=0), "robots=0: expected ids of robots, such as 'r1'"),
     (lambda: elsie.Env(elsie.World.parse(ARENA), robot="r1", duration=True), "duration=True"),
     (lambda: elsie.Env(elsie.World.parse(ARENA), robot="r1", observe=("pose.x", 0, 1e39)), "'pose.x' are 0.0 and inf"),
@@ -166,7 +167,7 @@ def test_an_environment_is_not_copied():
             copying(env)
 
 
-def test_actions_beyond_a_float_are_clipped_whatever_numpy_is_told():
+def test_actions_beyond_a_float_are_clipped_whatever_numpy_does_about_errors():
     def step(action):
         env = elsie.Env(elsie.World.parse(ARENA), robot="r1", steps=50)
         env.reset(seed=1)
