@@ -482,6 +482,17 @@ def _refuse_shared_random(tree: ast.Module, file: Path) -> None:
                 refuse(node, ast.unparse(called) + "() without a seed")
 
 
+def errors_of_numpy() -> tuple[dict[str, Any], Any]:
+    """What numpy does about errors in this thread, for `take_errors`."""
+    return dict(np.geterr()), np.geterrcall()
+
+
+def take_errors(errors: dict[str, Any], call: Any) -> None:
+    """Has numpy do the same in this thread: a new one would have numpy's own choice."""
+    np.seterr(**errors)
+    np.seterrcall(call)
+
+
 _loaded = 0
 
 
@@ -495,18 +506,18 @@ def _load(path: str) -> list[dict[str, Any]]:
     module = types.ModuleType(f"elsie_script_{_loaded}_{file.stem}")
     module.__file__ = path
     sys.modules[module.__name__] = module  # dataclasses look there
-    before = np.geterr()
+    before = errors_of_numpy()
     try:
         exec(compile(tree, path, "exec"), module.__dict__)
         # What the script sets holds for its own methods: in any thread, and nowhere else.
-        errors = np.geterr()
-        errstate = functools.partial(np.errstate, **errors) if errors != before else None
+        errors, call = errors_of_numpy()
+        errstate = functools.partial(np.errstate, call=call, **errors) if (errors, call) != before else None
         return [{**declared, "errstate": errstate} for declared in _Declarer(module, tree, file).all()]
     except BaseException:
         _unload(module.__name__)
         raise
     finally:
-        np.seterr(**before)
+        take_errors(*before)
 
 
 def _unload(module: str) -> None:

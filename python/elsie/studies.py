@@ -15,11 +15,10 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union
 
-import numpy as np
-
 from elsie import _elsie
 from elsie.checks import whole
 from elsie.errors import Error, InputError, PluginError, Problem
+from elsie.plugins import errors_of_numpy, take_errors
 from elsie.results import Result
 from elsie.simulations import Simulation, note_of_bits
 from elsie.worlds import File, Value, World
@@ -63,12 +62,7 @@ def run(world: Union[World, File], seeds: Iterable[int] = range(1, 2), *,
             made.step(_STEPS_BETWEEN_LOOKS)
         return {**cells[place], **_row(made.result())}
 
-    def take_errors(errors: dict[str, Any], call: Any) -> None:
-        """What numpy does about errors is another thing in each thread: plugins get what the caller has set."""
-        np.seterr(**errors)
-        np.seterrcall(call)
-
-    with ThreadPoolExecutor(count, initializer=take_errors, initargs=(np.geterr(), np.geterrcall())) as pool:
+    with ThreadPoolExecutor(count, initializer=take_errors, initargs=errors_of_numpy()) as pool:
         jobs = [pool.submit(one, place, seed) for place in range(len(cells)) for seed in seeds]
         try:
             rows = [job.result() for job in jobs]

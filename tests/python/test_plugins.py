@@ -8,9 +8,12 @@ import signal
 import sqlite3
 import subprocess
 import sys
+import threading
 import time
+import types
 import warnings
 from pathlib import Path
+from unittest.mock import patch
 
 import numpy as np
 import pytest
@@ -763,6 +766,59 @@ class Divide(elsie.Behavior):
             warnings.simplefilter("error")
             envs.reset(seed=1)
             envs.step(np.zeros(envs.action_space.shape))
+
+    def test_a_call_that_is_refused_changes_nothing_of_the_one_at_work(self, place):
+        """A step in which the plugins wait until another thread has asked for a step, with other errors."""
+        gate = types.ModuleType("gate")
+        gate.entered, gate.refused = threading.Event(), threading.Event()
+        script = self.DIVIDES.format("import gate").replace("np.zeros(1) /", "gate.entered.set(); gate.refused.wait(60); np.zeros(1) /")
+        with patch.dict(sys.modules, gate=gate):
+            world = elsie.World(place.world("<divide/>", sensors="<beam_range/>"), plugins=[place.script(script)])
+        gate.refused.set()
+        with np.errstate(all="ignore"):
+            envs = elsie.VectorEnv(world, 16, threads=2, act="priorities", steps=50)
+            envs.reset(seed=1)
+        gate.entered.clear()
+        gate.refused.clear()
+        failed = []
+
+        def step():
+            try:
+                with np.errstate(all="ignore"):
+                    envs.step(np.zeros(envs.action_space.shape))
+            except elsie.Error as error:
+                failed.append(error)
+        at_work = threading.Thread(target=step)
+        at_work.start()
+        assert gate.entered.wait(60)
+        with np.errstate(all="raise"), pytest.raises(elsie.InputError, match="at work in another thread"):
+            envs.step(np.zeros(envs.action_space.shape))
+        gate.refused.set()
+        at_work.join()
+        assert not failed
+
+    @pytest.mark.parametrize("threads", [1, 2])
+    def test_the_function_that_numpy_calls_comes_along(self, place, threads):
+        world = elsie.World(place.world("<divide/>", sensors="<beam_range/>"), plugins=[place.script(self.DIVIDES.format(""))])
+        with np.errstate(all="ignore"):
+            envs = elsie.VectorEnv(world, 16, threads=threads, act="priorities", steps=50)
+            envs.reset(seed=1)
+        called = []
+        with np.errstate(all="call", call=lambda *what: called.append(what)):
+            envs.step(np.zeros(envs.action_space.shape))
+        assert len(called) >= 16
+
+    def test_a_script_has_its_own_function_that_numpy_calls(self, place):
+        script = self.DIVIDES.format("""
+def refuse(*_):
+    raise ValueError("of the script")
+np.seterr(all="call")
+np.seterrcall(refuse)
+""")
+        before = np.geterr(), np.geterrcall()
+        with pytest.raises(elsie.PluginFault, match="ValueError: of the script"):
+            place.run(script, "<divide/>")
+        assert (np.geterr(), np.geterrcall()) == before
 
     def test_runs_in_threads_are_under_it_too(self, place):
         world = elsie.World(place.world("<divide/>"), plugins=[place.script(self.DIVIDES.format(""))])

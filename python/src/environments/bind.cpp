@@ -29,14 +29,16 @@ namespace {
 using Names = std::vector<std::tuple<std::string, std::optional<double>, std::optional<double>>>;
 using Terms = std::optional<std::vector<std::pair<std::string, double>>>;
 
-/// What numpy does about errors (numpy.geterr) where a call comes from, in a thread that helps: a
-/// thread of C++ would have numpy's own choice, and plugins in Python would do one thing here and
+py::object of_plugins(const char* name) { return py::module_::import("elsie.plugins").attr(name); }
+
+/// What numpy does about errors (errors_of_numpy) where a call comes from, in a thread that helps:
+/// a thread of C++ would have numpy's own choice, and plugins in Python would do one thing here and
 /// another there. Plugins share one state of Python while it lives.
 class Helping {
  public:
   explicit Helping(const py::object& errors) : lock_(PyGILState_Ensure()) {
     try {
-      py::module_::import("numpy").attr("seterr")(**errors);
+      of_plugins("take_errors")(*errors);
     } catch (const py::error_already_set&) {  // it goes by numpy's own choice
     }
     state_ = PyEval_SaveThread();
@@ -74,15 +76,17 @@ class Held : public Made {
   Held(Declared declared, MakeWorld maker, const std::shared_ptr<const plugin::Host>& host,
        std::size_t count, std::size_t threads)
       : worlds(std::move(declared), std::move(maker), host, count, threads,
-               {look_for_signals,
+               {[this] { note_errors(); }, look_for_signals,
                 [this] { return errors ? std::make_shared<Helping>(errors) : nullptr; }}),
         has_helped_scripts(threads > 1 && count > 1 && has_scripts(*host)),
         shape{static_cast<py::ssize_t>(count * worlds.actions_size())},
         observed_shape{static_cast<py::ssize_t>(worlds.observations().size())} {}
 
-  /// To be called before the worlds work, with the lock.
+  /// Is called while no thread helps.
   void note_errors() {
-    if (has_helped_scripts) errors = py::module_::import("numpy").attr("geterr")();
+    if (!has_helped_scripts) return;
+    const py::gil_scoped_acquire held;
+    errors = of_plugins("errors_of_numpy")();
   }
 
   py::object errors;  // of numpy, where the last call came from
@@ -138,8 +142,8 @@ bool has_numbers(const py::array& array) {
   return kind == 'f' || kind == 'i' || kind == 'u' || kind == 'b';
 }
 
-/// Rounded here: numpy would raise or warn, as the user has told it (numpy.seterr), when a number
-/// is too small or too large for a float. Large ones are clipped later, as all beyond [-1, 1].
+/// Rounded here: numpy would raise or warn, as the user has set (numpy.seterr), when a number is
+/// too small or too large for a float. Large ones are clipped later, as all beyond [-1, 1].
 Actions rounded(const py::array& given) {
   const auto wide = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
   if (!wide) throw base::BadInput("An action has a number that is too large; expected [-1, 1]");
@@ -256,7 +260,7 @@ py::tuple step_alone(Held& held, const py::object& given) {
   const Actions actions = actions_of(held, given);
   {
     const py::gil_scoped_release released;
-    worlds.step(span_of(actions), Renewal::told);
+    worlds.step(span_of(actions), Renewal::on_reset);
   }
   const std::vector<float>& observed = worlds.observations();
   py::array_t<float> observation(held.observed_shape);
@@ -292,17 +296,15 @@ void bind_environments(py::module_& module) {
       .def("begin",
            [](Held& held, const std::vector<std::size_t>& chosen,
               const std::vector<std::uint64_t>& seeds) {
-             held.note_errors();
              const py::gil_scoped_release released;
              held.worlds.begin(chosen, seeds);
            })
       .def("step",
            [](Held& held, const py::object& given, int renewal) {
-             if (renewal < 0 || renewal > static_cast<int>(Renewal::told)) {
+             if (renewal < 0 || renewal > static_cast<int>(Renewal::on_reset)) {
                throw base::BadInput("expected 0, 1 or 2 as renewal");
              }
              const Actions actions = actions_of(held, given);
-             held.note_errors();
              const py::gil_scoped_release released;
              held.worlds.step(span_of(actions), static_cast<Renewal>(renewal));
            })

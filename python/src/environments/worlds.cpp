@@ -101,6 +101,7 @@ Worlds::Worlds(Declared declared, MakeWorld make, std::shared_ptr<const plugin::
 /// whether it is done with a world; if not, because its turn was over, it is called again.
 template <class What>
 void Worlds::each(const std::vector<std::size_t>& chosen, const What& what) {
+  calls_.start();
   for (const std::size_t world : chosen) is_done_[world] = false;
   const auto make_turn = [&](const Turn& turn) {
     pool_.divide(chosen.size(), 1, [&](const base::ThreadPool::Share& share) {

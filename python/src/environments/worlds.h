@@ -28,13 +28,15 @@
 namespace elsie::python {
 
 /// When a world whose episode has ended begins the next one: in the next step, whose action is
-/// ignored; in the same step; when it is told.
-enum class Renewal { next_step, same_step, told };
+/// ignored; in the same step; in begin().
+enum class Renewal { next_step, same_step, on_reset };
 
 class Worlds {
  public:
   /// Functions of the caller.
   struct Calls {
+    /// Is called before begin() or step() works, in the thread that called it.
+    std::function<void()> start;
     /// Is called between turns, in the thread that called begin() or step(). What it throws
     /// interrupts all worlds that are at work, which must begin again.
     std::function<void()> look;
