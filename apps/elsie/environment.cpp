@@ -169,13 +169,13 @@ plugin::Host load_plugins(const PluginOptions& options, std::optional<double> lo
 
 namespace {
 
-/// What a process of its own says that has loaded the file and was stopped, or has crashed: without
-/// the name in its first line, which may follow what the plugin has printed.
+/// The report of a process that crashed or was stopped while it loaded the file; "" if it ended.
+/// Without the name in its first line, which may follow what the plugin has printed.
 std::string try_to_load(const fs::path& file, const fs::path& known_as,
                         const std::stop_token& stop) {
   const auto ended = process::run_process({"/proc/self/exe", kLoadCommand, file.string(),
                                            known_as.string(), base::number_text(kLongestLoading_s)},
-                                          stop);
+                                          stop, SIGKILL);
   constexpr int kBySignal = 128;
   if (!ended || (ended->exit_code != kPluginFailed && ended->exit_code < kBySignal)) {
     return "";

@@ -8,6 +8,7 @@
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include <catch2/catch.hpp>
 
@@ -412,6 +413,27 @@ TEST_CASE("What does not survive a trial is not loaded, and not tried again befo
   renewal = found(watch);
   CHECK(trials == 1);
   CHECK(twin(watch.host()) == "The first twin");
+}
+
+TEST_CASE("A draft that is saved while it is tried is used in its last version") {
+  Folder folder, drafts;
+  folder.with("good");
+  drafts.with("twin_a", "twin.so");
+  Watch watch(
+      {{folder.path(), "given"}}, milliseconds(20), {},
+      [&, is_saved = false](const fs::path&, const fs::path&, const std::stop_token&) mutable {
+        if (!std::exchange(is_saved, true)) {
+          write(drafts / "twin.so", bytes_of(fixture("twin_b")));
+        }
+        return std::string();
+      });
+  watch.add(drafts / "twin.so");
+  auto renewal = found_host(watch);
+  if (twin(*renewal->host) == "The first twin") {
+    watch.accept(*std::move(renewal));
+    renewal = found_host(watch);
+  }
+  CHECK(twin(*renewal->host) == "The second twin");
 }
 
 TEST_CASE("A trial ends when its file changes again, and with the watch") {

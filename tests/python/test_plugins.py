@@ -84,11 +84,16 @@ class Watched:
         return self.errors.read_text()
 
     def wait_until(self, holds, again=lambda i: None):
-        """`again` is called meanwhile, each time after several looks of the program: a file that is saved before the program watches it is no edit."""
+        """`again` is called meanwhile, each time after several looks of the program: a file that is saved before the program watches it is no edit.
+
+        The next time after twice as many: a file that is saved breaks off the trial of what it was.
+        """
         end = time.monotonic() + 60
+        due = 0
         for i in itertools.count():
-            if i % 14 == 0:
+            if i == due:
                 again(i)
+                due = 2 * i + 14
             if holds():
                 return
             assert time.monotonic() < end, self.text()
@@ -860,3 +865,33 @@ class TestLoadingWithoutEnd:
             run.process.send_signal(signal.SIGINT)
             assert run.process.wait(20) == 4
             assert "interrupted after" in run.text()
+
+    def test_a_version_that_appears_while_another_is_tried_is_tried_itself(self, place):
+        """A version that saves the next one as soon as it is loaded, and ends. Each notes in which process it is."""
+        file = place.script(STAND)
+        world = place.world("<stand/>", time_limit=1e5)
+        note = "import os\nopen('loaded', 'a').write(f'{os.getpid()}\\n')\n"
+        loaded = place.folder / "loaded"
+        with place.watched(world, file) as run:
+            run.wait_for("mine.py: new: stand of 'r1'", lambda i: place.script(STAND + f"# {i}\n"))
+            (place.folder / "next").write_text("import elsie\n" + note + STAND)
+            place.script("import ctypes, os\nif os.path.exists('next'):\n    os.replace('next', __file__)\n    ctypes.CDLL('libc.so.6')._exit(0)\n" + STAND)
+            run.wait_until(lambda: loaded.exists() and str(run.process.pid) in loaded.read_text().split())
+        assert loaded.read_text().split()[0] != str(run.process.pid)
+
+    def test_one_that_takes_no_signals_is_ended(self, place):
+        """Also when what it started has left its group and holds its output."""
+        file = place.script(STAND)
+        world = place.world("<stand/>", time_limit=1e5)
+        deaf = ("import os, signal, subprocess\nsignal.pthread_sigmask(signal.SIG_SETMASK, range(1, signal.NSIG))\n"
+                "open('started', 'a').write(f'{subprocess.Popen([\"sleep\", \"300\"], start_new_session=True).pid}\\n')\n")
+        with place.watched(world, file) as run:
+            run.wait_for("mine.py: new: stand of 'r1'", lambda i: place.script(STAND + f"# {i}\n"))
+            place.script(deaf + self.ENDLESS)
+            run.wait_until(lambda: (place.folder / "tried").exists())
+            place.script(STAND + "# mended\n")
+            try:
+                run.wait_for("mine.py: new: stand of 'r1'", times=2)
+            finally:
+                for started in (place.folder / "started").read_text().split():
+                    os.kill(int(started), signal.SIGKILL)

@@ -62,10 +62,10 @@ class Watch::Impl {
       : watched_(std::move(directories)), period_(period), trial_(std::move(trial)) {
     Renewal refused;
     for (const fs::path& draft : drafts) {
-      watched_.add(draft, stop_.get_token(), refused);
+      watched_.add(draft, stop_.get_token(), refused, seen_);
     }
-    seen_ = watched_.look();  // first, so that changes while it is loaded are noticed
-    watched_.refresh();       // changes before that look
+    seen_.merge(watched_.look());  // first, so that changes while it is loaded are noticed
+    watched_.refresh();            // changes before that look
     in_use_ = std::make_shared<const plugin::Host>(
         watched_.directories(), [this](const fs::path& file) { return copied(file); });
     for (const fs::path& draft : drafts) {
@@ -146,6 +146,8 @@ class Watch::Impl {
           failed = false;
         } catch (const std::exception& error) {  // tried again, reported once
           failed = true;
+          tried_.reset();
+          is_outdated_ = false;
           if (reported != error.what()) {
             reported = error.what();
             post({nullptr, {}, {reported}, {}});
@@ -159,15 +161,12 @@ class Watch::Impl {
   void add(const std::vector<fs::path>& drafts) {
     Renewal renewal;
     for (const fs::path& draft : drafts) {
-      watched_.add(draft, stop_.get_token(), renewal);
+      watched_.add(draft, stop_.get_token(), renewal, seen_);
     }
     try {
       load(std::move(renewal), drafts);
     } catch (const std::exception& error) {
       post({nullptr, {}, {error.what()}, drafts});
-    }
-    for (const auto& [file, print] : watched_.look()) {
-      seen_.try_emplace(file, print);  // those of the drafts
     }
   }
 
@@ -184,17 +183,18 @@ class Watch::Impl {
   /// The copy of a library, and none of a script: once it was tried, if it comes while a world
   /// runs.
   std::shared_ptr<const fs::path> copied(const fs::path& file) {
+    const auto print = plugin::fingerprint_of(file);
     auto copy = plugin::is_script(file) ? nullptr : private_copy(file);
     if (trial_ && is_following_) {
-      try_first(file, copy ? *copy : file);
+      try_first(file, print, copy ? *copy : file);
     }
     return copy;
   }
 
   /// Throws std::runtime_error if the file cannot be loaded in a process of its own. What was
-  /// refused is not tried again.
-  void try_first(const fs::path& file, const fs::path& loaded) {
-    const auto print = plugin::fingerprint_of(file);
+  /// refused is not tried again. `print`: of the file before a copy of it was `loaded`.
+  void try_first(const fs::path& file, const std::optional<plugin::Fingerprint>& print,
+                 const fs::path& loaded) {
     if (const auto known = refused_.find(file);
         known != refused_.end() && known->second.first == print) {
       throw std::runtime_error(known->second.second);
@@ -214,8 +214,9 @@ class Watch::Impl {
       }
     });
     const std::string said = trial_(loaded, watched_.known_as(file), trial.get_token());
-    if (trial.stop_requested()) {
-      is_outdated_ = true;
+    const bool is_another = loaded == file && plugin::fingerprint_of(file) != print;
+    if (trial.stop_requested() || is_another) {
+      is_outdated_ = tried_.has_value();
       throw std::runtime_error("has changed while it was tried");
     }
     if (said.empty()) return;
@@ -325,8 +326,8 @@ class Watch::Impl {
     }
   }
 
-  WatchedPaths watched_;       // used by the thread only, once it runs
-  Prints seen_;                // likewise, as the next one
+  WatchedPaths watched_;  // used by the thread only, once it runs; during a trial looks at it, too
+  Prints seen_;           // used by the thread only, as the next one
   std::set<fs::path> behind_;  // files whose present version the host does not have
   const std::chrono::milliseconds period_;
   const Trial trial_;
@@ -337,7 +338,7 @@ class Watch::Impl {
   std::vector<std::string> details_;  // on what was refused
   mutable std::mutex mutex_;
   std::condition_variable wake_;
-  std::stop_source stop_;  // of the compiler
+  std::stop_source stop_;  // of compilers and trials
   bool ends_ = false;      // protected by the lock, as the next two
   std::shared_ptr<const plugin::Host> in_use_;
   std::optional<Renewal> renewal_;

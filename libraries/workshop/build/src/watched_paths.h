@@ -66,15 +66,19 @@ class WatchedPaths {
     }
   }
 
-  /// Compiles the draft, if it is a source that compiles; otherwise it is refused for now.
-  void add(const fs::path& draft, const std::stop_token& stop, Renewal& renewal) {
+  /// Compiles the draft, if it is a source that compiles; otherwise it is refused for now. `seen`
+  /// gets its files as they are before they are read, unless it has them: later changes are
+  /// noticed.
+  void add(const fs::path& draft, const std::stop_token& stop, Renewal& renewal, Prints& seen) {
     if (std::any_of(watched_.begin(), watched_.end(),
                     [&](const WatchedPath& watched) { return watched.directory.path == draft; })) {
       return;
     }
     watched_.push_back({{draft, "--plugin"}, {}, false});
+    seen.merge(look());
     if (is_source(draft)) {
       build(watched_.back(), stop, renewal);
+      seen.merge(look());  // with what it includes
     }
   }
 

@@ -3,9 +3,12 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <utility>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,30 +19,43 @@ extern char** environ;
 namespace elsie::process {
 namespace {
 
-std::string read_all(int from) {
+/// What the process writes until it ends, although others that it has started may still hold the
+/// pipe.
+std::string read_all(int from, pid_t process) {
+  const auto ended = static_cast<int>(syscall(SYS_pidfd_open, process, 0));
   std::string text;
   std::array<char, 4096> buffer;
+  bool has_ended = false;
   for (;;) {
+    std::array<pollfd, 2> waited{{{from, POLLIN, 0}, {ended, POLLIN, 0}}};
+    if (poll(waited.data(), waited.size(), has_ended ? 0 : -1) < 0) continue;
+    if (waited[0].revents == 0) {
+      if (std::exchange(has_ended, true)) break;  // after a look at what it has written last
+      continue;
+    }
     const ssize_t count = read(from, buffer.data(), buffer.size());
     if (count > 0) {
       text.append(buffer.data(), static_cast<std::size_t>(count));
     } else if (count == 0 || errno != EINTR) {
-      return text;
+      break;
     }
   }
+  if (ended >= 0) close(ended);
+  return text;
 }
 
 /// A process that leads its own group, which ends with this process.
 class Group final : private files::EmergencyWriter {
  public:
-  explicit Group(pid_t leader) : leader_(leader) {}
+  Group(pid_t leader, int signal) : leader_(leader), signal_(signal) {}
   ~Group() override { retire(); }
-  void terminate() const noexcept { kill(-leader_, SIGTERM); }
+  void terminate() const noexcept { kill(-leader_, signal_); }
 
  private:
   void clean_up_now() noexcept override { terminate(); }
 
   const pid_t leader_;
+  const int signal_;
 };
 
 int wait_for(pid_t process) {
@@ -52,7 +68,7 @@ int wait_for(pid_t process) {
 }  // namespace
 
 std::optional<ProcessResult> run_process(const std::vector<std::string>& arguments,
-                                         const std::stop_token& stop) {
+                                         const std::stop_token& stop, int signal) {
   std::array<int, 2> pipe_ends{};
   if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) {
     return std::nullopt;
@@ -88,9 +104,9 @@ std::optional<ProcessResult> run_process(const std::vector<std::string>& argumen
   if (problem == 0) {
     result.emplace();
     {
-      const Group group(process);
+      const Group group(process, signal);
       const std::stop_callback stopped(stop, [&group] { group.terminate(); });
-      result->output = read_all(reads);
+      result->output = read_all(reads, process);
     }
     result->exit_code = wait_for(process);
   }
