@@ -64,7 +64,7 @@ class SourceText : public CodeEditor {
 }  // namespace
 
 SourceEditor::SourceEditor(QWidget* parent)
-    : QWidget(parent), save_(new QPushButton(tr("&Save and load"))), state_(new QLabel) {
+    : QWidget(parent), save_(new QPushButton), state_(new QLabel) {
   auto* text = new SourceText(this);
   text->setObjectName(QStringLiteral("source_text"));
   text->setAccessibleName(tr("Source of the plugin"));
@@ -72,8 +72,6 @@ SourceEditor::SourceEditor(QWidget* parent)
   highlighter_ = text->highlighter;
   setFocusProxy(text_);
   save_->setObjectName(QStringLiteral("save_source"));
-  save_->setToolTip(
-      tr("Saves the file; the engine compiles and loads it, and the run goes on (Ctrl+S)"));
   state_->setObjectName(QStringLiteral("source_state"));
   state_->setTextFormat(Qt::PlainText);
   state_->setWordWrap(true);  // a longer sentence does not make the window wider
@@ -106,6 +104,11 @@ QString SourceEditor::open(const QString& file) {
         .arg(file);
   }
   file_ = file;
+  save_->setText(is_plugin() ? tr("&Save and load") : tr("&Save"));
+  save_->setToolTip(
+      is_plugin()
+          ? tr("Saves the file; the engine compiles and loads it, and the run goes on (Ctrl+S)")
+          : tr("Saves the file (Ctrl+S)"));
   on_disk_ = bytes;
   has_line_ends_of_windows_ = bytes.contains("\r\n");
   highlighter_->set_language(file.endsWith(QLatin1String(".py")) ? CodeHighlighter::Language::python
@@ -135,6 +138,11 @@ QString SourceEditor::save() {
   on_disk_ = bytes;
   text_->document()->setModified(false);
   return {};
+}
+
+bool SourceEditor::is_model() const { return file_.endsWith(QLatin1String(".fcl")); }
+bool SourceEditor::is_plugin() const {
+  return !is_model() && !file_.endsWith(QLatin1String(".xml"));
 }
 
 bool SourceEditor::is_modified() const { return text_->document()->isModified(); }
@@ -185,7 +193,9 @@ QString SourcesPanel::open(const QString& file) {
     connect(editor, &SourceEditor::modified, this, &SourcesPanel::show_titles);
     connect(editor, &SourceEditor::modified, this, &SourcesPanel::edited);
     connect(&editor->text(), &QPlainTextEdit::textChanged, this, &SourcesPanel::edited);
-    connect(editor, &SourceEditor::save_wished, this, [this, editor] { save(editor); });
+    connect(editor, &SourceEditor::save_wished, this, [this, editor] {
+      if (const QString mistake = save(editor); !mistake.isEmpty()) Q_EMIT failed(mistake);
+    });
     show_titles();
   }
   tabs_->setCurrentWidget(editor);
@@ -202,21 +212,20 @@ void SourcesPanel::show_titles() {
   }
 }
 
-void SourcesPanel::save(SourceEditor* editor) {
+/// Returns "", or why its file cannot be written.
+QString SourcesPanel::save(SourceEditor* editor) {
   if (!editor->is_modified()) {
-    return;  // the engine has it
+    return {};  // the engine has it
   }
-  const QString why = editor->save();
-  if (!why.isEmpty()) {
-    Q_EMIT failed(why);
-    return;
+  if (const QString why = editor->save(); !why.isEmpty()) {
+    return why;
   }
-  if (editor->file().endsWith(QLatin1String(".fcl"))) {
+  if (editor->is_model()) {
     Q_EMIT model_saved(editor->file());
-    return;
+    return {};
   }
-  const bool is_template = editor->file().endsWith(QLatin1String(".xml"));
-  editor->say(is_template ? tr("Saved.") : tr("Saved. The engine loads it..."));
+  editor->say(editor->is_plugin() ? tr("Saved. The engine loads it...") : tr("Saved."));
+  return {};
 }
 
 void SourcesPanel::go_to(const QString& file, int line) {
@@ -282,7 +291,7 @@ void SourcesPanel::put(const Typed& unsaved) {
 QString SourcesPanel::save(const QStringList& files) {
   for (const QString& file : files) {
     SourceEditor* editor = editor_of(file);
-    const QString why = editor && editor->is_modified() ? editor->save() : QString();
+    const QString why = editor ? save(editor) : QString();
     if (!why.isEmpty()) return why;
   }
   return {};

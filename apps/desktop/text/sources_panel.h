@@ -27,6 +27,8 @@ class SourceEditor : public QWidget {
   /// Returns "", or why the file cannot be read.
   QString open(const QString& file);
   const QString& file() const { return file_; }
+  bool is_model() const;   // a fuzzy one
+  bool is_plugin() const;  // which the engine follows
   /// Returns "", or why the file cannot be written. A file that another program has changed is
   /// only overwritten at the second call. Line ends stay as they are.
   QString save();
@@ -81,7 +83,7 @@ class SourcesPanel : public QWidget {
   /// Somebody wants to close the tab of a file.
   void close_wished(const QString& file);
   void failed(const QString& sentence);
-  /// A fuzzy model, which the engine does not read again by itself.
+  /// Of a fuzzy model: the engine reads it when a run begins.
   void model_saved(const QString& file);
   /// unsaved() may have changed.
   void edited();
@@ -90,7 +92,7 @@ class SourcesPanel : public QWidget {
   SourceEditor* editor_of(const QString& file) const;
   std::vector<SourceEditor*> editors() const;
   void show_titles();
-  void save(SourceEditor* editor);
+  QString save(SourceEditor* editor);
 
   QTabWidget* tabs_;
 };

@@ -3652,6 +3652,14 @@ Was vorher dort war, ist unverändert.</translation>
         <source>&apos;%1&apos; cannot be written: %2. The text stays here; make room, or allow writing there, and save again.</source>
         <translation>&apos;%1&apos; kann nicht geschrieben werden: %2. Der Text bleibt hier; schaffen Sie Platz, oder erlauben Sie dort das Schreiben, und speichern Sie noch einmal.</translation>
     </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Saves the file (Ctrl+S)</source>
+        <translation>Speichert die Datei (Strg+S)</translation>
+    </message>
 </context>
 <context>
     <name>elsie::desktop::SourcesPanel</name>

@@ -265,14 +265,32 @@ FuzzyPanel::~FuzzyPanel() = default;
 void FuzzyPanel::set_robot(const QString& id) {
   if (id != robot_) {
     robot_ = id;
-    clear();
+    empty();
   }
 }
 
 void FuzzyPanel::clear() {
+  read_.clear();
+  empty();
+}
+
+void FuzzyPanel::empty() {
   present_.clear();
   models_->clear();
   load();
+}
+
+FuzzyPanel::Reading FuzzyPanel::read(const QStringList& source) {
+  try {
+    return {fuzzy::read_fcl(source[0].toStdString(), source[1].toStdString()), {}};
+  } catch (const std::exception& error) {
+    return {std::nullopt, QString::fromUtf8(error.what())};
+  }
+}
+
+const FuzzyPanel::Reading& FuzzyPanel::reading_of(const QStringList& source) {
+  const auto known = read_.find(source);
+  return known != read_.end() ? known->second : read_.emplace(source, read(source)).first->second;
 }
 
 void FuzzyPanel::load() {
@@ -284,28 +302,32 @@ void FuzzyPanel::load() {
   const QStringList source = models_->currentData().toStringList();
   edit_->setEnabled(source.size() == 2);
   if (source.size() == 2) {
-    try {
-      page_->model = fuzzy::read_fcl(source[0].toStdString(), source[1].toStdString());
-    } catch (const std::exception& error) {
-      page_->problem = QString::fromUtf8(error.what());
-    }
+    const Reading& reading = reading_of(source);
+    page_->model = reading.model;
+    page_->problem = reading.problem;
   }
   page_->fit();
   surface_->set_model(page_->model ? &*page_->model : nullptr);
 }
 
 void FuzzyPanel::read_again() {
+  for (auto& [source, reading] : read_) reading = read(source);
   load();
   show_values();
 }
 
 QString FuzzyPanel::mistake_in(const QString& file) const {
-  const QStringList source = models_->currentData().toStringList();
-  if (source.size() != 2 || QFileInfo(source[0]) != QFileInfo(file)) return {};
-  try {
-    fuzzy::read_fcl(file.toStdString(), source[1].toStdString());
-  } catch (const std::exception& error) {
-    return QString::fromUtf8(error.what());
+  std::vector<QStringList> sources;
+  const auto add = [&](const QStringList& source) {
+    if (QFileInfo(source[0]) == QFileInfo(file)) sources.push_back(source);
+  };
+  for (int i = 0; i < models_->count(); ++i) add(models_->itemData(i).toStringList());
+  if (sources.empty()) {  // a model of another robot
+    for (const auto& [source, reading] : read_) add(source);
+  }
+  if (sources.empty()) add({file, {}});
+  for (const QStringList& source : sources) {
+    if (QString mistake = read(source).problem; !mistake.isEmpty()) return mistake;
   }
   return {};
 }
@@ -318,6 +340,7 @@ void FuzzyPanel::add(const Json& state) {
     const QString name = count == 1 ? path : QStringLiteral("%1 (%2)").arg(path).arg(count);
     const QStringList source{text_of(entry, "file"), text_of(entry, "block")};
     present_[name] = entry;
+    reading_of(source);  // before it is edited
     if (const int place = models_->findText(name); place < 0) {
       models_->addItem(name, source);
     } else if (models_->itemData(place).toStringList() != source) {

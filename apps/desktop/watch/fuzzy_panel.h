@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "elsie/fuzzy/model.h"
+
 #include "engine/past.h"
 
 class QComboBox;
@@ -33,10 +35,11 @@ class FuzzyPanel : public QWidget {
   void add(const Json& state);
   /// Shows the values of that time; null: those of the present.
   void look_back(const Instant* then);
+  /// Forgets the robot's values and all models, as for another world.
   void clear();
-  /// Reads the chosen model again, as a run does that begins.
+  /// Reads all models again, as a run does that begins; until then they are shown as they were.
   void read_again();
-  /// What is wrong with the file of the chosen model; "" if nothing is, or for another file.
+  /// What is wrong with a file of models, as it is on disk; "" if nothing is.
   QString mistake_in(const QString& file) const;
 
   /// What the chosen model computes from the shown values.
@@ -51,12 +54,20 @@ class FuzzyPanel : public QWidget {
 
  private:
   class Page;
+  struct Reading {
+    std::optional<fuzzy::Model> model;
+    QString problem;  // why there is none
+  };
 
+  static Reading read(const QStringList& source);
+  const Reading& reading_of(const QStringList& source);
+  void empty();
   void load();
   void show_values();
 
   QString robot_;
-  std::map<QString, Json> present_;  // by name: each model in the last state that had it
+  std::map<QStringList, Reading> read_;  // by file and block, of all robots shown
+  std::map<QString, Json> present_;      // by name: each model in the last state that had it
   std::optional<Instant> then_;
   QLabel* notice_;
   QComboBox* models_;
