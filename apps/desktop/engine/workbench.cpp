@@ -219,23 +219,34 @@ void Workbench::heard(const Json& event) {
   }
 }
 
-/// The event tells of the plugins that it names; what is wrong with others stays.
+/// Replaces what is listed about the plugins that the event or one of its messages names; what is
+/// wrong with others stays.
 void Workbench::take_plugin_problems(const Json& event) {
+  const QStringList used = names_in(event, "files") + names_in(event, "restored");
   const QStringList kept = names_in(event, "kept");
-  const QStringList told = names_in(event, "files") + names_in(event, "restored") + kept;
-  std::erase_if(plugin_problems_, [&told](const PluginProblem& each) {
-    return each.plugins.isEmpty() ||
-           std::any_of(each.plugins.begin(), each.plugins.end(),
-                       [&told](const QString& file) { return told.contains(file); });
-  });
+  QStringList wrong = kept;  // also what was kept earlier, and has another mistake now
+  for (const PluginProblem& each : plugin_problems_) {
+    for (const QString& file : each.plugins) {
+      if (!used.contains(file) && !wrong.contains(file)) wrong << file;
+    }
+  }
+  std::vector<PluginProblem> now;
+  QStringList named = used + kept;
   for (const Json& each : member(event, "problems")) {
     const QString message = written(each);
     const Problem first = problems_in(message).front();
-    QStringList named;
-    std::copy_if(kept.begin(), kept.end(), std::back_inserter(named),
+    QStringList plugins;
+    std::copy_if(wrong.begin(), wrong.end(), std::back_inserter(plugins),
                  [&message](const QString& file) { return message.contains(file); });
-    plugin_problems_.push_back({{first.file, first.line, message}, named.isEmpty() ? kept : named});
+    named += plugins;
+    now.push_back({{first.file, first.line, message}, plugins.isEmpty() ? kept : plugins});
   }
+  std::erase_if(plugin_problems_, [&named](const PluginProblem& each) {
+    return each.plugins.isEmpty() ||
+           std::any_of(each.plugins.begin(), each.plugins.end(),
+                       [&named](const QString& file) { return named.contains(file); });
+  });
+  plugin_problems_.insert(plugin_problems_.end(), now.begin(), now.end());
 }
 
 Problems Workbench::problems_of_plugins() const {
@@ -249,8 +260,13 @@ void Workbench::take_plugins(const Json& event) {
   const QStringList files = names_in(event, "files") + names_in(event, "restored");
   const QStringList kept = names_in(event, "kept");
   if (!awaited_.isEmpty() && (files.contains(awaited_) || kept.contains(awaited_))) {
-    const bool is_used = files.contains(std::exchange(awaited_, QString()));
-    end_change(is_used ? Problems() : problems_of_plugins());
+    const QString awaited = std::exchange(awaited_, QString());
+    Problems own;
+    for (const PluginProblem& each : plugin_problems_) {
+      if (each.plugins.contains(awaited)) own.push_back(each.problem);
+    }
+    const bool is_used = files.contains(awaited);
+    end_change(is_used ? Problems() : own.empty() ? problems_of_plugins() : own);
   }
   Q_EMIT plugins_changed(files, kept);
 }

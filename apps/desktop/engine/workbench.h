@@ -227,7 +227,7 @@ class Workbench : public QObject {
   /// Plugins whose old versions stay in use until the problem is solved.
   struct PluginProblem {
     Problem problem;
-    QStringList plugins;  // none: it is told once
+    QStringList plugins;  // none: it is listed until the next event
   };
 
   QString file_;

@@ -49,7 +49,6 @@ void Workbench::open_text(const QString& text, const QString& file, bool is_save
   keep();
   tree_ = scene_ = Json();
   time_s_ = latest_s_ = 0.0;
-  plugin_problems_.clear();
   watch_file();
   for (const QString& each : plugins) add_plugin(each, this, [](const Problems&) {});
   in_turn([this] { open_in_engine(text_); });
