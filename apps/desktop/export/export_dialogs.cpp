@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QRadioButton>
 #include <QStandardItemModel>
+#include <algorithm>
 #include <cmath>
 
 #include "export/film_writer.h"
@@ -126,17 +127,23 @@ std::optional<PictureChoice> Dialogs::picture(const QSize& shown, QWidget* paren
   auto* pixels = new QLabel;
   pixels->setObjectName(QStringLiteral("picture_pixels"));
   form->addRow(tr("Pixels"), pixels);
+  const auto is_drawn = [=] {
+    return format->currentData().toString() == QLatin1String("svg") ||
+           format->currentData().toString() == QLatin1String("pdf");
+  };
+  const auto dots = [=] { return is_drawn() ? kUsualDpi : dpi->currentData().toDouble(); };
   const auto size = [=] {
     const double inches = width->value() / kCmPerInch;
     const int across =
-        std::min(static_cast<int>(std::lround(inches * dpi->currentData().toInt())), kMost_px);
-    return QSize(std::max(across, 200), std::max(across, 200) * shown.height() / shown.width());
+        std::clamp(static_cast<int>(std::lround(inches * dots())), kNarrowest_px, kMost_px);
+    return QSize(across, across * shown.height() / shown.width());
   };
   const auto show = [=] {
-    const bool is_drawn = format->currentData().toString() == QLatin1String("svg") ||
-                          format->currentData().toString() == QLatin1String("pdf");
-    dpi->setEnabled(!is_drawn);
-    pixels->setText(is_drawn             ? tr("none: sharp at any size")
+    dpi->setEnabled(!is_drawn());
+    // Rounded up to the decimal of the box.
+    const double narrowest = std::ceil(10.0 * kNarrowest_px * kCmPerInch / kUsualDpi) / 10.0;
+    width->setMinimum(is_drawn() ? narrowest : 1.0);
+    pixels->setText(is_drawn()           ? tr("none: sharp at any size")
                     : above->isChecked() ? tr("%1 wide").arg(size().width())
                                          : size_text(size()));
   };
@@ -160,8 +167,7 @@ std::optional<PictureChoice> Dialogs::picture(const QSize& shown, QWidget* paren
   if (!is_agreed(dialog, form)) {
     return std::nullopt;
   }
-  return PictureChoice{above->isChecked(), format->currentData().toString(), size(),
-                       dpi->currentData().toInt()};
+  return PictureChoice{above->isChecked(), format->currentData().toString(), size(), dots()};
 }
 
 }  // namespace

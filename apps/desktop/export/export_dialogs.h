@@ -21,11 +21,14 @@ struct FilmChoice {
 /// `shown`: the size of the view. None: the user cancels.
 std::optional<FilmChoice> ask_for_film(const QSize& shown, double run_s, QWidget* parent);
 
+inline constexpr double kUsualDpi = 96.0;  // of screens, and units of SVG and PDF per inch
+inline constexpr int kNarrowest_px = 200;  // of pictures
+
 struct PictureChoice {
   bool is_from_above = false;  // drawn; otherwise what the view shows
   QString ending = QStringLiteral("png");
   QSize size;  // pixels; from above only the width counts
-  int dpi = 96;
+  double dpi = kUsualDpi;
 };
 std::optional<PictureChoice> ask_for_picture(const QSize& shown, QWidget* parent);
 

@@ -19,9 +19,7 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr double kUsualDpi = 96.0;
 constexpr double kUsualHeight = 720.0;  // px; names in a larger film are as large as in this one
-constexpr int kNarrowest = 200;         // of a picture of lines
 constexpr int kBetweenShown_ms = 500;   // pictures of a film in the view
 
 }  // namespace
@@ -111,7 +109,7 @@ void Exporter::write_from_above(const QString& file, const PictureChoice& choice
       {{"do", "picture"},
        {"file", file.toStdString()},
        {"width", is_of_dots ? choice.size.width()
-                            : std::max(kNarrowest, static_cast<int>(std::lround(as_lines)))}},
+                            : std::max(kNarrowest_px, static_cast<int>(std::lround(as_lines)))}},
       [this, file](const Json& answer) {
         const Problems problems = problems_of(answer);
         end_picture(file, problems.empty() ? QString() : problems.front().message);

@@ -6,7 +6,6 @@
 #include <QStandardPaths>
 #include <QTimer>
 #include <cerrno>
-#include <cstring>
 #include <system_error>
 #include <utility>
 
@@ -152,7 +151,7 @@ void PipedFilm::finish() {
   if (why_.isEmpty() &&
       (process_.exitStatus() != QProcess::NormalExit || process_.exitCode() != 0)) {
     const QString last = QString::fromLocal8Bit(said_).trimmed().section(u'\n', -1);
-    why_ = said_.contains(std::strerror(ENOSPC)) ? reason_of(ENOSPC)
+    why_ = said_.contains("No space left on device") ? reason_of(ENOSPC)  // in any language
            : last.isEmpty() ? tr("ffmpeg ended with exit code %1").arg(process_.exitCode())
                             : tr("ffmpeg says '%1'").arg(last);
   }
