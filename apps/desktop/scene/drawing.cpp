@@ -5,13 +5,14 @@
 #include <numbers>
 
 #include "elsie/picture/axis.h"
+#include "elsie/picture/colours.h"
 #include "elsie/render/sketch_style.h"
 
 namespace elsie::desktop {
 namespace {
 
 constexpr Colour kGridInk{0, 0, 0};
-constexpr Colour kGoalInk{0x00, 0x80, 0x5c};  // as in pictures from above
+constexpr Colour kGoalInk = picture::kGoalColour;
 constexpr Colour kSensorInk{0xe0, 0x80, 0x00};
 
 /// A closed line through points of a circle.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "elsie/picture/axis.h"
+#include "elsie/picture/colours.h"
 #include "elsie/picture/top_view.h"
 #include "elsie/world/parts.h"
 
@@ -153,7 +154,8 @@ inline constexpr Ink kDynamicBox = hex(0xf3e3bd);
 inline constexpr Ink kDynamicEdge = hex(0x8a6a14);
 inline constexpr Ink kMovingBox = hex(0xcbb3dd);
 inline constexpr Ink kMovingEdge = hex(0x6b3f8f);
-inline constexpr Ink kGoal = hex(0x00805c, "good");
+inline constexpr Ink kGoal{kGoalColour.red / 255.0, kGoalColour.green / 255.0,
+                           kGoalColour.blue / 255.0, 1.0, "good"};
 inline constexpr Ink kBeam = hex(0xb07500);
 inline constexpr Ink kTouch = hex(0xc4002f);
 
