@@ -14,7 +14,7 @@
 namespace elsie::files {
 
 /// The new file is in the same folder. It is removed unless it has replaced the old one, also when
-/// the process is interrupted. Until then, nobody may read it who may not read the old one.
+/// the process is interrupted. Until then, its mode gives others no more than that of the old one.
 class Replacement final : private EmergencyWriter {
  public:
   /// `file`: no link; end_of_links() leads to it. error() says whether the new file is there.
