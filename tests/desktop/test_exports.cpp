@@ -1,6 +1,7 @@
 // Films that ffmpeg writes, and pictures for print and from above.
 #include <QComboBox>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QImage>
 #include <QLabel>
@@ -9,6 +10,10 @@
 #include <QRadioButton>
 #include <QStandardItemModel>
 #include <QTimer>
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <system_error>
 
 #include "control_bar.h"
 #include "export/exporter.h"
@@ -145,7 +150,8 @@ TEST_CASE("A film that ffmpeg cannot write, or that is cancelled, leaves the fil
                  "echo '[mp4 @ 0x1] Could not write header: No space left on device' >&2\n"
                  "echo 'Error initializing output stream 0:0 --' >&2\nexit 1\n");
     CHECK_FALSE(film_of(window, mp4, {"mp4", QSize(320, 180), 1.0}));
-    CHECK(window.dialog<QMessageBox>("film_failed")->text().contains("No space left on device"));
+    const std::string said = std::generic_category().message(ENOSPC);  // in the user's language
+    CHECK(window.dialog<QMessageBox>("film_failed")->text().contains(QString::fromStdString(said)));
   }
   SECTION("Cancel") {
     programs.add("ffmpeg", "exec sleep 60\n");
@@ -200,6 +206,32 @@ TEST_CASE("A picture of the view has the dots for print") {
   CHECK(written.size() == QSize(600, 400));
   CHECK(written.dotsPerMeterX() == 11811);
   CHECK(window->scene().picture(1).size() == window->scene().size());
+}
+
+TEST_CASE("A picture of lines is as wide as chosen, whatever the resolution of pixels") {
+  Room window;
+  for (const double width_cm : {100.0, 5.3, 1.0}) {
+    INFO(width_cm);
+    double shown_cm = 0.0;
+    at_dialog("picture_dialog", [&](QDialog* dialog) {
+      auto* format = dialog->findChild<QComboBox*>("picture_format");
+      auto* width = dialog->findChild<QDoubleSpinBox*>("picture_width");
+      dialog->findChild<QComboBox*>("picture_dpi")->setCurrentIndex(3);
+      dialog->findChild<QRadioButton*>("picture_above")->setChecked(true);
+      format->setCurrentIndex(format->findData("svg"));
+      width->setValue(width_cm);
+      shown_cm = width->value();
+      Window::press(dialog, QDialogButtonBox::Ok);
+    });
+    const auto choice = ask_for_picture(QSize(800, 600), &window.window());
+    REQUIRE(choice);
+    CHECK(shown_cm == std::max(width_cm, 5.3));  // narrower ones are not offered
+    CHECK(choice->size.width() / choice->dpi * 2.54 == Approx(shown_cm).margin(0.02));
+    const QString file = window.folder() + "/wide.svg";
+    REQUIRE(picture_of(window, [&](Exporter& it) { it.write_from_above(file, *choice); }));
+    CHECK(bytes_of(file).contains(
+        QStringLiteral("width=\"%1px\"").arg(std::lround(shown_cm / 2.54 * 96)).toUtf8()));
+  }
 }
 
 TEST_CASE("The world from above is drawn as PNG, SVG and PDF, with the paths so far") {

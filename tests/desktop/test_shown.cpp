@@ -1,6 +1,7 @@
 // What the window shows of a world and of a run: the present state, whole, and where it is looked
 // for.
 #include <QAbstractButton>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QHeaderView>
 #include <QLabel>
@@ -10,6 +11,7 @@
 #include <QScrollBar>
 #include <QStatusBar>
 #include <QTabBar>
+#include <QTabWidget>
 #include <QTextBlock>
 #include <QToolBar>
 
@@ -22,6 +24,7 @@
 #include "scripted_engine.h"
 #include "text/code_editor.h"
 #include "text/problems_panel.h"
+#include "text/sources_panel.h"
 #include "text/world_editor.h"
 #include "watch/fuzzy_instant.h"
 #include "watch/fuzzy_panel.h"
@@ -284,13 +287,20 @@ TEST_CASE("Readable: the tree has no scroll bar at the side, and a long field sh
   CHECK(form.editor("energy")->width() >= 8 * form.fontMetrics().averageCharWidth());
 }
 
+namespace {
+
+const QByteArray kTwoModels = QByteArray(kRoom).replace("<wander/>", R"(<avoid_obstacle
+    left_model="left.fcl" right_model="right.fcl"/>)");
+
+}  // namespace
+
 TEST_CASE("A fuzzy model is edited in the window, and shown as the run uses it") {
   Window window;
   const QByteArray shipped =
       bytes_of(build_file("../share/elsie/fuzzy_models/avoid_obstacle_left.fcl"));
   const QString model = window.file(shipped, "left.fcl");
-  window.open(window.file(QByteArray(kRoom).replace(
-      "<wander/>", "<avoid_obstacle left_model=\"left.fcl\" right_model=\"left.fcl\"/>")));
+  window.file(shipped, "right.fcl");
+  window.open(window.file(kTwoModels));
   window.choose("robot[r1]");
   FuzzyPanel* fuzzy = inferring(window);
   const auto* page = dynamic_cast<const ShowsFigures*>(window.get<QWidget>("fuzzy_page"));
@@ -316,6 +326,12 @@ TEST_CASE("A fuzzy model is edited in the window, and shown as the run uses it")
   CHECK(bytes_of(model) == QByteArray(shipped).replace(before.toUtf8(), after.toUtf8()));
   CHECK(window.get<QLabel>("source_state")->text().contains("the next one"));
   CHECK(shows(before));  // the run goes on with the model that it has
+  auto* models = window.get<QComboBox>("fuzzy_models");
+  const int chosen = models->currentIndex();
+  REQUIRE(models->count() == 2);
+  models->setCurrentIndex(1 - chosen);
+  models->setCurrentIndex(chosen);
+  CHECK(shows(before));
 
   window.act("reset");
   show_dock(window.window(), "dock_fuzzy");
@@ -323,4 +339,42 @@ TEST_CASE("A fuzzy model is edited in the window, and shown as the run uses it")
   CHECK(wait_for([&] { return shows(after); }));
   CHECK_FALSE(shows(before));
   CHECK(fuzzy->problem() == QString());
+}
+
+TEST_CASE("A fuzzy model that is saved is checked, and used by the next run, whichever is shown") {
+  Window window;
+  const QByteArray shipped =
+      bytes_of(build_file("../share/elsie/fuzzy_models/avoid_obstacle_left.fcl"));
+  const QString left = window.file(shipped, "left.fcl");
+  window.file(shipped, "right.fcl");
+  window.open(window.file(kTwoModels));
+  window.choose("robot[r1]");
+  inferring(window);
+  auto* sources = window->findChild<SourcesPanel*>();
+  REQUIRE(sources->open(left).isEmpty());
+  CHECK(window.get<QAbstractButton>("save_source")->toolTip() == "Saves the file (Ctrl+S)");
+  auto* text = window.get<CodeEditor>("source_text");
+  const auto type = [&](const QByteArray& model) {
+    text->selectAll();
+    text->insertPlainText(model);
+  };
+  for (const int chosen : {0, 1}) {  // left and right
+    INFO(chosen);
+    window.get<QComboBox>("fuzzy_models")->setCurrentIndex(chosen);
+    type(QByteArray(shipped).replace("IS fast", "IS no_such_term"));
+    CHECK(sources->save({left}).isEmpty());
+    CHECK(window.get<QLabel>("source_state")->text().contains("no_such_term"));
+    type(shipped);
+    CHECK(sources->save({left}).isEmpty());
+    CHECK(window.get<QLabel>("source_state")->text().contains("the next one"));
+  }
+
+  window.after([&] { window.act("reset"); });
+  REQUIRE(window.bench().run_state() == Workbench::Run::ready);
+  const std::uint64_t epoch = window.bench().epoch();
+  type(shipped + "// again\n");
+  window.answer = MainWindow::Answer::save;
+  Q_EMIT window.get<QTabWidget>("source_tabs")->tabCloseRequested(0);
+  CHECK(bytes_of(left) == shipped + "// again\n");
+  CHECK(wait_for([&] { return window.bench().epoch() > epoch; }));  // the run reads it again
 }

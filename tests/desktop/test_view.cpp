@@ -124,11 +124,22 @@ TEST_CASE("The camera that follows a robot rises over what would hide it, and si
 }
 
 TEST_CASE("A camera that does not follow stands behind walls, if one likes") {
-  Room window(kSeeing);
-  SceneView& scene = window->scene();
-  const QPoint middle = scene.rect().center();
-  drag_by_hand(&scene, Qt::LeftButton, middle, middle - QPoint(0, 200));
-  CHECK(scene.camera().raised == 0.0);
+  const auto orbited = [](const QString& text, bool hides) {
+    Room window(text);
+    SceneView& scene = window->scene();
+    scene.camera() = OrbitCamera();
+    const QPoint middle = scene.rect().center();
+    drag_by_hand(&scene, Qt::LeftButton, middle, middle - QPoint(0, 200));
+    window.step();
+    const auto eye = scene.camera().frame().origin;
+    CHECK(scene.stage().is_hidden({-1.0, 0.0, 0.05}, eye) == hides);
+    return eye;
+  };
+  const auto in_the_open = orbited(QString(kSeeing)
+                                       .replace("width=\"4\"", "width=\"4\" walls=\"false\"")
+                                       .replace("<static_box id=\"crate\" x=\"1\" y=\"0.3\"/>", ""),
+                                   false);
+  CHECK(orbited(kSeeing, true) == in_the_open);
 }
 
 TEST_CASE(
