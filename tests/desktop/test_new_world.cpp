@@ -139,6 +139,62 @@ TEST_CASE("The errors of a source stay listed while other plugins are loaded") {
   CHECK(wait_for([&] { return list->topLevelItemCount() == 0; }));
 }
 
+TEST_CASE("Of a script only the present error is listed, and another one is refused for its own") {
+  Room window;
+  window.choose("robot[r1]");
+  Window::press(new_behavior(window, "calm", 1), QDialogButtonBox::Ok);
+  REQUIRE(wait_for([&] { return window.bench().text().contains("<calm/>"); }));
+  window.await_closed("new_behavior_dialog");
+  auto* text = window.get<CodeEditor>("source_text");
+  const QString right = text->whole_text();
+  const auto save = [&](const QString& source) {
+    text->selectAll();
+    text->insertPlainText(source);
+    text->setFocus();
+    press_key(text, Qt::Key_S, Qt::ControlModifier);
+  };
+  auto* list = window.get<QTreeWidget>("problems");
+  const auto lists = [&](const char* error) {
+    for (int i = 0; i < list->topLevelItemCount(); ++i) {
+      if (list->topLevelItem(i)->toolTip(0).contains(error)) return true;
+    }
+    return false;
+  };
+  save("import no_such_one\n" + right);
+  REQUIRE(wait_for([&] { return lists("no_such_one"); }));
+
+  std::optional<Problems> odd;
+  window.bench().add_plugin(window.file("import elsie\nimport no_such_odd\n", "odd.py"),
+                            &window.window(), [&](const Problems& problems) { odd = problems; });
+  REQUIRE(wait_for([&] { return odd.has_value(); }));
+  REQUIRE(odd->size() == 1);
+  CHECK(odd->front().message.contains("odd.py"));
+  CHECK(lists("no_such_one"));
+
+  Window::press(new_behavior(window, "still", 1), QDialogButtonBox::Ok);
+  REQUIRE(wait_for([&] { return window.bench().text().contains("<still/>"); }));
+  window.get<QTabWidget>("source_tabs")->setCurrentIndex(0);
+  save("import no_such_two\n" + right);
+  REQUIRE(wait_for([&] { return lists("no_such_two"); }));
+  CHECK_FALSE(lists("no_such_one"));
+  CHECK(lists("odd.py"));
+  save(right);
+  CHECK(wait_for([&] { return !lists("no_such_two"); }));
+}
+
+TEST_CASE("The errors of a plugin stay listed when a world is opened") {
+  QTemporaryDir folder;
+  const QString script = folder.filePath("odd.py");
+  std::ofstream(script.toStdString()) << "import elsie\nimport no_such_odd\n";
+  Window window({}, {"--draft", script});
+  auto* list = window.get<QTreeWidget>("problems");
+  REQUIRE(wait_for([&] { return list->topLevelItemCount() == 1; }));
+  window.open(window.file(kRoom));
+  REQUIRE(window.bench().is_right());
+  REQUIRE(list->topLevelItemCount() == 1);
+  CHECK(list->topLevelItem(0)->toolTip(0).contains("odd.py"));
+}
+
 TEST_CASE(
     "Without a compiler, a behaviour in C++ is written, and a sentence says what is missing") {
   const QByteArray before = qgetenv("CXX");

@@ -263,7 +263,10 @@ class Watch::Impl {
         continue;
       }
       renewal.kept.push_back(draft);
-      if (renewal.problems.empty()) {
+      const bool is_explained = std::any_of(
+          renewal.problems.begin(), renewal.problems.end(),
+          [&](const auto& problem) { return problem.find(draft.string()) != problem.npos; });
+      if (!is_explained) {
         renewal.problems.push_back("'" + draft.string() +
                                    "' has no plugin that is not there already");
       }
