@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QStackedWidget>
+#include <QStatusBar>
 #include <QTimer>
 #include <algorithm>
 
@@ -127,6 +128,7 @@ void MainWindow::begin_world(const std::function<QString()>& text) {
   }
   const QString begun = text();
   if (!begun.isEmpty()) {
+    statusBar()->clearMessage();      // of the run before
     workbench_.open_text(begun, {});  // this loses nothing
     forget_world();
     show_page(false);

@@ -294,3 +294,24 @@ TEST_CASE("Help opens the tutorial and the page of the selected plugin, without 
   CHECK(text->toPlainText().startsWith("wander"));
   CHECK(text->source().isLocalFile());
 }
+
+TEST_CASE("Another world starts with the usual seed, and without words about the run before it") {
+  Room window(QString(kRoom).replace("\"60\"", "\"1\""));
+  auto* seed = window.get<QLineEdit>("seed");
+  const auto end_with_seed_4 = [&] {
+    window.after([&] { window.bench().reset(4); });
+    window.run_to_the_end();
+    REQUIRE(window.said().startsWith("Time is up"));
+  };
+  end_with_seed_4();
+  window.after([&] { window.act("new"); });
+  CHECK(window.bench().seed() == 1);
+  CHECK(seed->text() == "1");
+  CHECK_FALSE(window.said().startsWith("Time is up"));
+  window.open(window.file(QString(kRoom).replace("\"60\"", "\"1\"").toUtf8(), "short.xml"));
+  end_with_seed_4();
+  window.after([&] { window.open(window.file(kRoom, "other.xml")); });
+  CHECK(window.bench().seed() == 1);
+  CHECK(seed->text() == "1");
+  CHECK_FALSE(window.said().startsWith("Time is up"));
+}

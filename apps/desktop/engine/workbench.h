@@ -59,12 +59,13 @@ class Workbench : public QObject {
 
   /// @name Files
   /// @{
+  static constexpr std::uint64_t kFirstSeed = 1;
   /// Opens this text as a new world, which replaces the present one.
   void open_text(const QString& text, const QString& file, bool is_saved = true,
-                 bool is_borrowed = false, const QStringList& plugins = {});
+                 bool is_borrowed = false, const QStringList& plugins = {},
+                 std::uint64_t seed = kFirstSeed);
   /// Opens a file. Returns false, with a sentence, if it cannot be read; then nothing has changed.
-  /// `seed` is the new seed; without it the seed stays.
-  bool open(const QString& file, QString& why, std::optional<std::uint64_t> seed = {},
+  bool open(const QString& file, QString& why, std::uint64_t seed = kFirstSeed,
             bool is_borrowed = false);
   /// Takes over what another program wrote into the file, as an edit: undo leads back. Returns
   /// false, with a sentence, if it cannot be read.
@@ -256,7 +257,7 @@ class Workbench : public QObject {
   std::optional<double> halt_s_;
   double pace_ = 0.0;
   double speed_ = 1.0;
-  std::uint64_t seed_ = 1;
+  std::uint64_t seed_ = kFirstSeed;
   int deaths_ = 0;            // of the engine since the user last did something
   bool is_stopping_ = false;  // by the user
   bool is_stepping_ = false;  // a step is ordered and not made

@@ -32,10 +32,11 @@ QString folder_of(const QString& file) { return QFileInfo(file).absolutePath(); 
 }  // namespace
 
 void Workbench::open_text(const QString& text, const QString& file, bool is_saved, bool is_borrowed,
-                          const QStringList& plugins) {
+                          const QStringList& plugins, std::uint64_t seed) {
   drop_changes(tr("Another world was opened before this was done."));
   halt_s_.reset();
   deaths_ = 0;
+  seed_ = seed;
   file_ = file;
   is_borrowed_ = is_borrowed;
   text_ = text;
@@ -84,15 +85,14 @@ std::optional<QByteArray> Workbench::bytes_of_world(const QString& file, QString
   return bytes;
 }
 
-bool Workbench::open(const QString& file, QString& why, std::optional<std::uint64_t> seed,
-                     bool is_borrowed) {
+bool Workbench::open(const QString& file, QString& why, std::uint64_t seed, bool is_borrowed) {
   std::optional<QByteArray> bytes = bytes_of_world(file, why);
   if (!bytes) {
     return false;
   }
   const TextForm form = TextForm::take_from(*bytes);
-  seed_ = seed.value_or(seed_);
-  open_text(QString::fromUtf8(*bytes), QFileInfo(file).absoluteFilePath(), true, is_borrowed);
+  open_text(QString::fromUtf8(*bytes), QFileInfo(file).absoluteFilePath(), true, is_borrowed, {},
+            seed);
   form_ = form;
   return true;
 }
