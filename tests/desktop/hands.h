@@ -100,6 +100,28 @@ inline std::shared_ptr<bool> pick_when_open(const char* menu_name, const QString
   return done;
 }
 
+/// What a menu offers.
+struct Offered {
+  QStringList entries;
+  bool has_active = false;  // one is highlighted at once
+};
+/// Opens a menu, which blocks until it is closed, and closes it.
+inline Offered offered_by(const std::function<void()>& open) {
+  Offered offered;
+  QTimer waiting;
+  QObject::connect(&waiting, &QTimer::timeout, &waiting, [&] {
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    if (!menu) return;
+    waiting.stop();
+    offered.has_active = menu->activeAction() != nullptr;
+    for (const QAction* action : menu->actions()) offered.entries << action->text().remove('&');
+    menu->close();
+  });
+  waiting.start(20);
+  open();
+  return offered;
+}
+
 /// A drag in steps, as a hand makes it.
 inline void drag_by_hand(QWidget* widget, Qt::MouseButton button, const QPoint& from,
                          const QPoint& to, Qt::KeyboardModifiers keys = {}) {

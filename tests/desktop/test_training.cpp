@@ -237,6 +237,10 @@ TEST_CASE("A right click on a trained network clears it") {
   School::enter(dialog, "training", "samples.txt");
   school.ok(dialog);
   auto* tree = school.window.get<WorldTree>("world_tree");
+  const Offered menu = offered_by(
+      [&] { school.window->findChild<Authoring*>()->open_menu("robot[r1]/coordinator", {}); });
+  CHECK(menu.entries.front() == "Edit...");
+  CHECK_FALSE(menu.has_active);  // a destructive action is not one Enter away
   const auto is_picked = pick_when_open("element_menu", "Clear the network");
   school.window.after([&] { click_row(tree, "robot[r1]/coordinator", Qt::RightButton); });
   CHECK(*is_picked);

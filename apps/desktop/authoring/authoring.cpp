@@ -240,12 +240,6 @@ void Authoring::open_menu(const QString& path, const QPoint& global) {
   QMenu menu(window_);
   menu.setObjectName("element_menu");
   const ElementPlace place = place_of(workbench_.tree(), path);
-  if (place.element && !attribute(*place.element, "weights").isEmpty()) {
-    // The original also offers this on a right click on a trained network.
-    menu.setActiveAction(menu.addAction(tr("C&lear the network"), this, [this, path] {
-      workbench_.edit({path + "/@weights/@remove=true"}, tr("clear the network"));
-    }));
-  }
   menu.addAction(tr("&Edit..."), this, [this, path] { edit_element(path); });
   const auto kind = workbench_.catalog().kind_of(place);
   const bool is_robot = kind && kind->name == "robot";
@@ -275,7 +269,14 @@ void Authoring::open_menu(const QString& path, const QPoint& global) {
                    [this, path] { add_element(holder_of(path), "coordinator"); });
   }
   menu.addSeparator();
-  menu.addAction(tr("&Duplicate"), this, &Authoring::duplicate_selected);
+  if (may_duplicate()) {
+    menu.addAction(tr("&Duplicate"), this, &Authoring::duplicate_selected);
+  }
+  if (place.element && !attribute(*place.element, "weights").isEmpty()) {
+    menu.addAction(tr("&Clear the network"), this, [this, path] {
+      workbench_.edit({path + "/@weights/@remove=true"}, tr("clear the network"));
+    });
+  }
   menu.addAction(tr("De&lete"), this, &Authoring::remove_selected);
   menu.exec(global);
 }

@@ -104,6 +104,8 @@ class Authoring : public QObject {
   /// Whether the clipboard has elements that may stand in that list.
   bool may_paste_into(const QString& list) const;
   void insert(const QString& markup, const QString& name);
+  /// Whether the world may have another of each selected element.
+  bool may_duplicate() const;
   /// The edit that puts a piece into the world; "", with a sentence, if it cannot be put there.
   /// Adds the id that it gives to `taken`.
   QString insertion_of(Piece piece, const QPointF& aside, QStringList& taken, QString& why) const;

@@ -96,6 +96,15 @@ bool Authoring::may_paste_into(const QString& list) const {
   });
 }
 
+bool Authoring::may_duplicate() const {
+  const std::vector<Piece> pieces = pieces_of(markup_of_selected());
+  QStringList taken;
+  return !pieces.empty() && std::all_of(pieces.begin(), pieces.end(), [&](const Piece& each) {
+    QString why;  // an element that would replace the present one has no [+]
+    return insertion_of(each, {}, taken, why).section('=', 0, 0).endsWith(QLatin1String("[+]"));
+  });
+}
+
 void Authoring::duplicate_selected() {
   copied_ = selection_;
   insert(markup_of_selected(), tr("duplicate"));
