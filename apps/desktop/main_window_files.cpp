@@ -111,6 +111,7 @@ void MainWindow::forget_world() {
   time_line_->expect({}, 0.0);
   time_line_->clear();
   scene_->unlock_all();
+  authoring_->close_dialogs();
   authoring_->select({});
   plots_->set_names({});
   vision_->clear();

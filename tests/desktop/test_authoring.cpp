@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "authoring/authoring.h"
 #include "authoring/pieces.h"
 #include "hands.h"
 #include "scene/scene_view.h"
@@ -200,4 +201,57 @@ TEST_CASE("A list in the tree shows what it holds, and adds to it") {
   window.after([&] { window.bench().edit({"robot[r1]/@remove=true"}, "remove"); });
   CHECK_FALSE(title().contains("behaviors"));
   CHECK_FALSE(add->isVisible());
+}
+
+TEST_CASE("A second wish to edit an element raises the dialog that is open") {
+  Room window;
+  auto* authoring = window->findChild<Authoring*>();
+  const auto shown = [&] {
+    const auto all = window->findChildren<QDialog*>();
+    return std::count_if(all.begin(), all.end(), std::mem_fn(&QWidget::isVisible));
+  };
+  authoring->edit_element("robot[r1]");
+  QDialog* robot = window.dialog("element_dialog");
+  authoring->edit_element("robot[r1]/sensor[ahead]");
+  CHECK(shown() == 2);  // of another element
+  activate(window.window());
+  CHECK_FALSE(robot->isActiveWindow());
+  authoring->edit_element("robot[r1]");
+  CHECK(shown() == 2);
+  CHECK(wait_for([&] { return robot->isActiveWindow(); }));
+  authoring->add_element("robot[r1]", "coordinator");
+  authoring->edit_element("robot[r1]/coordinator");
+  authoring->add_element("robot[r1]", "coordinator");
+  CHECK(shown() == 3);
+  authoring->edit_behaviors("robot[r1]");
+  authoring->edit_behaviors("robot[r1]");
+  CHECK(shown() == 4);
+  SECTION("also under its new name") {
+    window.after([&] { window.bench().edit({"robot[r1]/@id=rob"}, "rename"); });
+    authoring->edit_element("robot[rob]");
+    authoring->add_element("robot[rob]", "coordinator");
+    authoring->edit_behaviors("robot[rob]");
+    CHECK(shown() == 4);
+  }
+  SECTION("but not for another world, which closes them") {
+    window.open(window.file(kRoom, "other.xml"));
+    CHECK(shown() == 0);
+  }
+}
+
+TEST_CASE("The menu of an element offers to duplicate it only if the world may have another") {
+  Room window;
+  auto* authoring = window->findChild<Authoring*>();
+  const auto offers = [&](const char* path) {
+    return offered_by([&] { authoring->open_menu(path, window->pos()); })
+        .entries.contains("Duplicate");
+  };
+  for (const char* one : {"obstacle[crate]", "robot[r1]", "robot[r1]/sensor[ahead]"}) {
+    INFO(one);
+    CHECK(offers(one));
+  }
+  for (const char* only : {"arena", "limits", "robot[r1]/coordinator"}) {
+    INFO(only);
+    CHECK_FALSE(offers(only));
+  }
 }

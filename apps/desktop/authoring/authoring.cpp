@@ -44,6 +44,18 @@ QPointF free_place(const Stage& stage, const Json& world) {
   return {};
 }
 
+/// Brings the first open one of these dialogs that `is_it` to the front; false if there is none.
+template <class Dialog, class Is>
+bool has_raised(const QWidget* window, const Is& is_it) {
+  for (Dialog* each : window->findChildren<Dialog*>()) {
+    if (each->isHidden() || !is_it(*each)) continue;  // one is deleted some time after it closes
+    each->raise();
+    each->activateWindow();
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<Authoring::Obstacle> Authoring::obstacles() {
@@ -109,7 +121,27 @@ QString Authoring::robot() const { return robot_path(selection_.value(0)); }
 
 // Dialogs and menus
 
+bool Authoring::has_raised_editor(const QString& path) {
+  return has_raised<ElementDialog>(
+      window_, [&](const ElementDialog& each) { return each.is_editor_of(path); });
+}
+
+bool Authoring::has_raised_behaviors(const QString& holder) {
+  return has_raised<BehaviorsDialog>(
+      window_, [&](const BehaviorsDialog& each) { return each.holder() == holder; });
+}
+
+void Authoring::close_dialogs() {
+  for (QDialog* each : window_->findChildren<QDialog*>()) {
+    const bool edits = qobject_cast<ElementDialog*>(each) || qobject_cast<BehaviorsDialog*>(each);
+    if (edits && !each->isHidden()) each->done(QDialog::Rejected);
+  }
+}
+
 void Authoring::edit_element(const QString& path) {
+  if (has_raised_editor(path)) {
+    return;
+  }
   QString why;
   if (ElementDialog* dialog = ElementDialog::edit(workbench_, path, window_, why)) {
     connect(this, &Authoring::called_otherwise, dialog, &ElementDialog::rename);
@@ -136,7 +168,12 @@ void Authoring::add_element(const QString& holder, const QString& list,
     Q_EMIT said(tr("Select the robot first."));
     return;
   }
+  if (list == "coordinator" && has_raised_editor(holder + "/coordinator")) {
+    Q_EMIT said(tr("The coordinator of %1 is being edited in this dialog.").arg(title(holder)));
+    return;
+  }
   ElementDialog* dialog = ElementDialog::make(workbench_, holder, list, window_);
+  connect(this, &Authoring::called_otherwise, dialog, &ElementDialog::rename);
   if (list == "robots") {
     dialog->begin_with("id", free_id(workbench_.tree(), "r"));
   }
@@ -226,7 +263,12 @@ void Authoring::edit_behaviors(const QString& holder) {
     Q_EMIT said(tr("Select the robot first."));
     return;
   }
-  (new BehaviorsDialog(workbench_, holder, window_))->show();
+  if (has_raised_behaviors(holder)) {
+    return;
+  }
+  auto* dialog = new BehaviorsDialog(workbench_, holder, window_);
+  connect(this, &Authoring::called_otherwise, dialog, &BehaviorsDialog::rename);
+  dialog->show();
 }
 
 void Authoring::open_menu(const QString& path, const QPoint& global) {

@@ -36,9 +36,11 @@ class Authoring : public QObject {
   /// The selected robot, or the robot that contains the selected object; "" if there is none.
   QString robot() const;
 
-  /// Opens the editor of an element, or says why it has none.
+  /// Opens the editor of an element, or raises the one that is open, or says why it has none.
   void edit_element(const QString& path);
   void edit_selected();
+  /// Closes the dialogs without entering what was typed in them: their world is closed.
+  void close_dialogs();
   /// How a new element begins.
   struct Beginning {
     QString kind;               // "": the first of the list
@@ -95,6 +97,10 @@ class Authoring : public QObject {
 
  private:
   void find_renamed();
+  /// Brings the open dialog that edits the element, or the behaviours of the holder, to the front.
+  /// Returns false if there is none.
+  bool has_raised_editor(const QString& path);
+  bool has_raised_behaviors(const QString& holder);
   bool is_the_present();
   QString title(const QString& path) const;
   QStringList wholes() const;

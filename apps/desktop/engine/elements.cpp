@@ -209,6 +209,10 @@ QHash<QString, QString> renamed(const Outline& before, const Outline& after) {
   return names;
 }
 
+QString renamed_path(const QString& path, const QString& from, const QString& to) {
+  return path == from || path.startsWith(from + '/') ? to + path.mid(from.size()) : path;
+}
+
 void visit_weights(const Json& state,
                    const std::function<void(const QString& path, double weight)>& see) {
   for (const Json& robot : member(state, "robots")) {

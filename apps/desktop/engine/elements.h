@@ -67,6 +67,8 @@ using Outline = std::vector<std::pair<QString, QString>>;
 Outline outline_of(const Json& world);
 /// Maps paths that no longer exist to the new ones, if the same elements are in the same places.
 QHash<QString, QString> renamed(const Outline& before, const Outline& after);
+/// The path after the element at `from`, perhaps around it, has got the path `to`.
+QString renamed_path(const QString& path, const QString& from, const QString& to);
 
 /// Calls `see` for every behaviour that was asked at the instant of a `state` event, with its path
 /// and the weight that its coordinator gave it. A network's weight is the priority that it has

@@ -1077,10 +1077,6 @@
         <translation>%1 hinzufügen</translation>
     </message>
     <message>
-        <source>C&amp;lear the network</source>
-        <translation>Netz &amp;leeren</translation>
-    </message>
-    <message>
         <source>clear the network</source>
         <translation>Netz leeren</translation>
     </message>
@@ -1297,6 +1293,14 @@
     <message>
         <source>&amp;Add %1...</source>
         <translation>%1 &amp;hinzufügen...</translation>
+    </message>
+    <message>
+        <source>The coordinator of %1 is being edited in this dialog.</source>
+        <translation>Der Koordinator von %1 wird in diesem Dialog bearbeitet.</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the network</source>
+        <translation>&amp;Netz leeren</translation>
     </message>
 </context>
 <context>

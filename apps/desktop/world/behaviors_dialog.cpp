@@ -147,6 +147,14 @@ void BehaviorsDialog::take_away() {
   fill_pool();
 }
 
+void BehaviorsDialog::rename(const QString& from, const QString& to) {
+  holder_ = renamed_path(holder_, from, to);
+  for (int i = 0; i < carried_->count(); ++i) {
+    QListWidgetItem* item = carried_->item(i);
+    item->setData(kPath, renamed_path(item->data(kPath).toString(), from, to));
+  }
+}
+
 void BehaviorsDialog::accept() {
   QStringList edits, kept;
   for (int i = 0; i < carried_->count(); ++i) {

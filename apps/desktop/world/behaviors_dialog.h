@@ -23,6 +23,10 @@ class BehaviorsDialog : public QDialog {
  public:
   BehaviorsDialog(Workbench& workbench, QString holder, QWidget* parent);
 
+  const QString& holder() const { return holder_; }
+  /// An element was renamed, perhaps the holder.
+  void rename(const QString& from, const QString& to);
+
   void accept() override;
 
  private:

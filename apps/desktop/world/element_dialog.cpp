@@ -291,11 +291,18 @@ void ElementDialog::take_back_applied() {
   }
 }
 
+bool ElementDialog::is_editor_of(const QString& path) const {
+  if (list_ == "coordinator") {
+    return path == holder_ + "/coordinator";
+  }
+  return !makes_ && std::any_of(pages_.begin(), pages_.end(),
+                                [&](const Page& each) { return each.path == path; });
+}
+
 void ElementDialog::rename(const QString& from, const QString& to) {
-  const auto follow = [&](QString& path) {
-    if (path == from || path.startsWith(from + '/')) path.replace(0, from.size(), to);
-  };
+  const auto follow = [&](QString& path) { path = renamed_path(path, from, to); };
   follow(path_);
+  follow(holder_);
   std::map<QString, std::map<QString, QString>> changes;
   for (auto& [path, values] : changes_) {
     QString now = path;

@@ -43,6 +43,8 @@ class ElementDialog : public QDialog {
 
   /// Sets an attribute with which a new element begins, such as where it was dropped.
   void begin_with(const QString& name, const QString& value);
+  /// Whether it edits the element at that path, also as a part, or makes the coordinator there.
+  bool is_editor_of(const QString& path) const;
   /// An element was renamed, perhaps the edited one.
   void rename(const QString& from, const QString& to);
   /// Shows the form of this kind. Returns false if there is no kind of that name.
