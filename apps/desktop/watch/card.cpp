@@ -63,7 +63,9 @@ void Card::settle() {
   const int width = std::max(std::min(wished, room.width() / 2), minimumSizeHint().width());
   const int height = hasHeightForWidth() ? heightForWidth(width) : sizeHint().height();
   resize(std::min(width, room.width()), std::min(height, room.height()));
-  move(corner_ == Corner::left ? margin : parentWidget()->width() - margin - this->width(), margin);
+  const QPoint last(parentWidget()->width() - margin - this->width(),
+                    parentWidget()->height() - margin - this->height());
+  move(corner_ == Corner::top_left ? QPoint(margin, margin) : last);
 }
 
 void Card::close_by_user() {

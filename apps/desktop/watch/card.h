@@ -13,7 +13,7 @@ class Card : public QFrame {
   Q_OBJECT
 
  public:
-  enum class Corner { left, right };  // both at the top
+  enum class Corner { top_left, bottom_right };
 
   Card(Corner corner, QWidget* parent);
 

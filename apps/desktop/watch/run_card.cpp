@@ -46,7 +46,7 @@ QString sign_of(const QString& outcome) {
 }  // namespace
 
 RunCard::RunCard(QWidget* parent)
-    : Card(Corner::right, parent),
+    : Card(Corner::bottom_right, parent),
       title_(wrapped("run_card_title")),
       why_(wrapped("run_card_why")) {
   setObjectName(QStringLiteral("run_card"));
@@ -137,7 +137,7 @@ void RunCard::show_end(const Json& end) {
 }
 
 StuckNotice::StuckNotice(QWidget* parent)
-    : Card(Corner::left, parent), text_(wrapped("stuck_text")), select_(new QPushButton) {
+    : Card(Corner::top_left, parent), text_(wrapped("stuck_text")), select_(new QPushButton) {
   setObjectName(QStringLiteral("stuck_notice"));
   select_->setObjectName(QStringLiteral("stuck_select"));
   select_->setToolTip(tr("Selects the robot, so that the windows show its behaviours"));

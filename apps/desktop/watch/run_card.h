@@ -10,7 +10,8 @@ class QPushButton;
 
 namespace elsie::desktop {
 
-/// The end of a run: outcome, collected, distance, collisions, state hash, and why it failed.
+/// The end of a run: outcome, collected, distance, collisions, state hash, and why it failed. It
+/// grows upwards, so that its buttons stay under the mouse from run to run.
 class RunCard : public Card {
   Q_OBJECT
 
