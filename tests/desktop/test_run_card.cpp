@@ -26,6 +26,28 @@ constexpr const char* kTorn = R"(<world format="1">
 </world>
 )";
 
+/// A robot that is where it wants to be, and another that is not.
+QString waiting(const QString& goals) {
+  return QString(R"(<world format="1">
+  <arena length="8" width="8"/>
+  <resources><resource id="far" x="3" y="3"/></resources>
+  <robots>
+    <robot id="waits" x="-2">
+      <behaviors><go_to_point x="-2" y="0"/></behaviors>
+      <coordinator><arbiter_suppression/></coordinator>
+    </robot>
+    <robot id="roams" x="2">
+      <behaviors><wander/></behaviors>
+      <coordinator><arbiter_suppression/></coordinator>
+    </robot>
+  </robots>
+  %1
+  <limits time="30"/>
+</world>
+)")
+      .arg(goals);
+}
+
 QString text_in(Window& window, const char* label) { return window.get<QLabel>(label)->text(); }
 
 }  // namespace
@@ -116,4 +138,54 @@ TEST_CASE("A run that fails by a collision says who touched what, and when") {
   REQUIRE(wait_for([&] { return window.get<RunCard>("run_card")->isVisible(); }));
   CHECK(text_in(window, "run_card_title").contains("Failed after"));
   CHECK(text_in(window, "run_card_why").contains("r1 touched 'crate' at "));
+}
+
+TEST_CASE("A notice names a robot that nobody asks to move while a goal waits for it") {
+  const auto runs_to_15_s = [](Window& window) {
+    bool is_said = false;
+    QObject::connect(&window.bench(), &Workbench::stuck, [&](const Json&) { is_said = true; });
+    run_until(window, 15.0);
+    REQUIRE(wait_for([&] { return is_said; }));
+    QApplication::processEvents();
+    return window.get<StuckNotice>("stuck_notice")->isVisible();
+  };
+  for (const char* goals :
+       {"<goals><collect/></goals>", "<goals><reach robot=\"waits\" x=\"3\" y=\"0\"/></goals>"}) {
+    INFO(goals);
+    Room window(waiting(goals));
+    REQUIRE(runs_to_15_s(window));
+    const QString said = text_in(window, "stuck_text");
+    CHECK(said.startsWith("waits has stood still for 1"));
+    CHECK(said.endsWith(" s: no behaviour asks it to move."));
+  }
+  for (const char* goals :
+       {"", "<goals><reach robot=\"roams\" x=\"3.9\" y=\"3.9\" radius=\"0.01\"/></goals>",
+        "<goals><reach robot=\"waits\" x=\"-2\" y=\"0\" radius=\"0.5\"/>"
+        "<travel robot=\"roams\" distance=\"1000\"/></goals>"}) {
+    INFO(goals);
+    Room window{waiting(goals)};
+    CHECK_FALSE(runs_to_15_s(window));
+  }
+}
+
+TEST_CASE("The buttons of the card stay where they are, however much it says") {
+  Room window;
+  auto* card = window.get<RunCard>("run_card");
+  const auto places = [&](const Json& more) {
+    Json end{{"time_s", 12.0}, {"seed", 1}, {"state_hash", "0123456789abcdef"}};
+    end.update(more);
+    card->show_end(end);
+    QApplication::processEvents();  // the layout
+    std::vector<QPoint> all;
+    for (const char* name : {"run_again", "next_seed", "copy_hash"}) {
+      all.push_back(window.get<QWidget>(name)->mapTo(&window.window(), QPoint()));
+    }
+    return all;
+  };
+  const auto after_success = places({{"outcome", "success"}});
+  const int height = card->height();
+  const Json goal{{"goal", "collect"}, {"missing", 1}, {"of", 2}};
+  CHECK(places({{"outcome", "time_limit"}, {"open_goals", {goal, goal, goal}}}) == after_success);
+  CHECK(card->height() > height);
+  CHECK(window->scene().rect().contains(card->geometry()));
 }

@@ -374,6 +374,30 @@ TEST_CASE("A robot that stands still for ten seconds is reported with what keeps
   CHECK(end["open_goals"][1]["missing_m"] > 1.0);
 }
 
+TEST_CASE("Of the robots that nobody asks to move, those that an open goal needs come first") {
+  Session session;
+  REQUIRE_FALSE(session
+                    .open(R"(<world format="1">
+  <arena length="8" width="8"/>
+  <robots>
+    <robot id="idle"><behaviors><go_to_point x="0" y="0"/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>
+    <robot id="needed" x="2"><behaviors><go_to_point x="2" y="0"/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>
+  </robots>
+  <goals><reach robot="needed" x="-2" y="0"/></goals>
+  <limits time="12"/>
+</world>)")
+                    .contains("refused"));
+  watch(session, {"stuck"});
+  session.ask({{"do", "run"}});
+  session.end_of_run();
+  const Json stuck = session.latest("stuck");
+  INFO(stuck.dump());
+  CHECK(stuck["troubled_count"] == 0);
+  CHECK(stuck["awaited_count"] == 1);
+  REQUIRE(stuck["stuck_count"] == 2);
+  CHECK(stuck["stuck"][0]["robot"] == "needed");
+}
+
 TEST_CASE("Of a goal that one robot is enough for, what is missing of the nearest is open") {
   Session session;
   REQUIRE_FALSE(session

@@ -11,8 +11,7 @@ namespace elsie::desktop {
 /// and find_resource cancel each other".
 QString why_stuck(const Json& robot, double now_s);
 
-/// Whether a window should say it during the run. One that nobody asks to move may be meant to
-/// stand.
+/// Whether it is asked to move, and does not get on.
 bool is_trouble(const Json& robot);
 
 /// Why the run that ended has not succeeded: its reason, what is missing of its goals, and who

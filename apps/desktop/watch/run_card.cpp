@@ -143,7 +143,6 @@ StuckNotice::StuckNotice(QWidget* parent)
   select_->setToolTip(tr("Selects the robot, so that the windows show its behaviours"));
   column()->addWidget(text_);
   column()->addWidget(select_, 0, Qt::AlignLeft);
-  set_band(QColor(0xd9901a));
   setFocusProxy(select_);
   connect(select_, &QPushButton::clicked, this, [this] { Q_EMIT robot_wished(robot_); });
 }
@@ -157,18 +156,23 @@ void StuckNotice::clear() {
 void StuckNotice::take(const Json& event) {
   Json stuck = Json::array();
   QStringList known;
-  for (const Json& robot : member(event, "stuck")) {
-    if (is_trouble(robot)) {
+  const int awaited = integer_of(event, "awaited_count", 0);
+  bool has_trouble = false;
+  int idle = 0;
+  for (const Json& robot : member(event, "stuck")) {  // those that are awaited before others
+    has_trouble = has_trouble || is_trouble(robot);
+    if (is_trouble(robot) || ++idle <= awaited) {
       stuck.push_back(robot);
       known << text_of(robot, "robot") + QLatin1Char(' ') + written(member(robot, "behaviors"));
     }
   }
   stuck_ = std::move(stuck);
-  count_ = integer_of(event, "troubled_count", 0);
+  count_ = integer_of(event, "troubled_count", 0) + awaited;
   if (stuck_.empty()) {
     clear();
     return;
   }
+  set_band(has_trouble ? QColor(0xd9901a) : palette().color(QPalette::Mid));
   robot_ = text_of(stuck_.front(), "robot");
   second_ = static_cast<int>(number_of(event, "time_s"));
   show_text();

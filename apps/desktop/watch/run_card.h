@@ -36,7 +36,8 @@ class RunCard : public Card {
   QFormLayout* facts_;
 };
 
-/// Robots that are stuck while the run goes on.
+/// Robots that are stuck while the run goes on and, less loudly, those that nobody asks to move
+/// although a goal waits for them.
 class StuckNotice : public Card {
   Q_OBJECT
 
@@ -60,7 +61,7 @@ class StuckNotice : public Card {
   QPushButton* select_;
   QString robot_;  // the first that is stuck
   Json stuck_ = Json::array();
-  int count_ = 0;      // of those that are asked to move, also beyond the list
+  int count_ = 0;      // of such robots, also beyond the list
   QStringList known_;  // who is stuck and why, without times
   int second_ = 0;
 };

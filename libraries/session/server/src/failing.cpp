@@ -45,7 +45,10 @@ class Missing {
         left += simulation_.obstacle(i) ? 1 : 0;
       }
     }
-    if (left > 0) missing_.push_back({{"goal", "collect"}, {"missing", left}, {"of", all}});
+    if (left > 0) {
+      missing_.push_back({{"goal", "collect"}, {"missing", left}, {"of", all}});
+      if (!goal.team.empty()) missing_.back()["team"] = goal.team;
+    }
   }
   void add(const world::ReachGoal& goal) {
     if (!goal.of.empty()) return;
@@ -84,6 +87,7 @@ class Missing {
                           {"name", goal.name},
                           {"missing", goal.count - count},
                           {"of", goal.count}});
+      if (!goal.robot.empty()) missing_.back()["robot"] = goal.robot;
     }
   }
   /// What is missing of each robot that a goal is about or, where one is enough, of the nearest.
@@ -108,6 +112,34 @@ class Missing {
   Json missing_ = Json::array();
 };
 
+/// Whether an open goal needs a robot, or may need it.
+class Awaits {
+ public:
+  explicit Awaits(const Simulation& simulation)
+      : simulation_(simulation), open_(open_goals_json(simulation)) {}
+
+  bool operator()(const traces::Standstill& robot) const {
+    return std::any_of(open_.begin(), open_.end(), [&](const Json& goal) {
+      const std::string named = goal.value("robot", std::string());
+      const std::string team = goal.value("team", std::string());
+      return (named.empty() || named == robot.robot) &&
+             (team.empty() || team == team_of(robot.robot));
+    });
+  }
+
+ private:
+  std::string team_of(const std::string& id) const {
+    for (std::size_t i = 0; i < simulation_.robots(); ++i) {
+      const world::Robot& robot = *simulation_.robot(i).description;
+      if (robot.id == id) return robot.team;
+    }
+    return {};
+  }
+
+  const Simulation& simulation_;
+  Json open_;
+};
+
 template <class Goal, class Event>
 bool breaks_goal(const Simulation& simulation, const world::Goal& goal,
                  const simulation::EventRecord& event) {
@@ -122,11 +154,12 @@ bool breaks_goal(const Simulation& simulation, const world::Goal& goal,
 
 }  // namespace
 
-Json standstills_json(std::vector<traces::Standstill> found) {
+Json standstills_json(const Simulation& simulation, std::vector<traces::Standstill> found) {
   const auto idle = std::stable_partition(
       found.begin(), found.end(),
       [](const traces::Standstill& each) { return each.why != traces::Hold::idle; });
   const auto troubled = idle - found.begin();
+  const auto awaited = std::stable_partition(idle, found.end(), Awaits(simulation)) - idle;
   const auto all = found.size();
   found.resize(std::min(all, kMostListed));
   Json robots = Json::array();
@@ -136,7 +169,10 @@ Json standstills_json(std::vector<traces::Standstill> found) {
                       {"why", to_string(each.why)},
                       {"behaviors", each.behaviors}});
   }
-  return {{"stuck", std::move(robots)}, {"stuck_count", all}, {"troubled_count", troubled}};
+  return {{"stuck", std::move(robots)},
+          {"stuck_count", all},
+          {"troubled_count", troubled},
+          {"awaited_count", awaited}};
 }
 
 Json broken_by_json(const Simulation& simulation) {

@@ -10,9 +10,11 @@
 
 namespace elsie::server {
 
-/// `stuck`: the first twenty of these robots, those that nobody asks to move last; `stuck_count`:
-/// how many there are; `troubled_count`: how many of them are asked to move.
-Json standstills_json(std::vector<traces::Standstill> found);
+/// `stuck`: the first twenty of these robots; `stuck_count`: how many there are; `troubled_count`:
+/// how many of them are asked to move, which come first; `awaited_count`: for how many of those
+/// that nobody asks to move an open goal waits, which come next.
+Json standstills_json(const simulation::Simulation& simulation,
+                      std::vector<traces::Standstill> found);
 
 /// The goals to reach that are open, as far as numbers say how far: of each the name of its element
 /// and what is missing. Those in an <any> are left out, because none of them is needed.

@@ -151,7 +151,7 @@ void Server::Impl::report_stuck() {
   if (standstills_.found() != told_standstills_ && link_.waiting_bytes() < kMostWaiting) {
     told_standstills_ = standstills_.found();
     Json event = {{"event", "stuck"}, {"epoch", epoch_}, {"time_s", simulation_->time_s()}};
-    event.update(standstills_json(told_standstills_));
+    event.update(standstills_json(*simulation_, told_standstills_));
     link_.send(event);
   }
 }

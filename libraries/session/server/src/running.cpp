@@ -189,7 +189,7 @@ void Server::Impl::run() {
       if (result.outcome == simulation::Outcome::failure) {
         end["broken_by"] = broken_by_json(*simulation_);
       }
-      end.update(standstills_json(standstills_.found()));
+      end.update(standstills_json(*simulation_, standstills_.found()));
     }
     end["notes"] = Json::array();
     for (const simulation::Note& note : result.notes) {
