@@ -115,6 +115,7 @@ ControlBar::ControlBar(Workbench& workbench, QWidget* parent)
   row->addWidget(seed_);
   row->addStretch(1);
   connect(&workbench_, &Workbench::run_changed, this, &ControlBar::show_state);
+  connect(&workbench_, &Workbench::settings_changed, this, &ControlBar::show_state);
   show_state();
 }
 

@@ -106,6 +106,7 @@ void MainWindow::connect_workbench() {
     }
     show_state();
   });
+  connect(&workbench_, &Workbench::settings_changed, this, &MainWindow::show_state);
   connect(&workbench_, &Workbench::came_to, this, &MainWindow::compare_with_recording);
   connect(&workbench_, &Workbench::ended, this, &MainWindow::compare_with_recording);
   connect(&workbench_, &Workbench::went_on, this, [this] {

@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QTabWidget>
 #include <QTextBrowser>
 #include <QTreeWidget>
@@ -12,6 +13,7 @@
 #include "new_world.h"
 #include "text/code_editor.h"
 #include "text/sources_panel.h"
+#include "watch/coordination_panel.h"
 
 using namespace elsie::desktop;
 
@@ -49,6 +51,30 @@ TEST_CASE("New world is there at once, and its robot collects all with each of t
     INFO(seed);
     CHECK(run.at("outcome") == "success");
   }
+}
+
+TEST_CASE("Enter presses the buttons of the start page") {
+  Window window;
+  const auto key = GENERATE(Qt::Key_Return, Qt::Key_Enter, Qt::Key_Space);
+  CAPTURE(key);
+  auto* button = window.get<QPushButton>("new_world");
+  REQUIRE(button->isVisible());
+  button->setFocus();
+  window.after([&] { press_key(button, key); });
+  CHECK(window.bench().text() == new_world());
+}
+
+TEST_CASE("Another speed before the start leaves Coordination as it is") {
+  Window window;
+  window.after([&] { window.act("new"); });
+  window.get<QDockWidget>("dock_coordination")->raise();
+  auto* panel = window->findChild<CoordinationPanel*>();
+  REQUIRE(wait_for([&] { return panel->rows() > 0; }));
+  auto* speed = window.get<QComboBox>("speed");
+  speed->setFocus();
+  press_key(speed, Qt::Key_Down);
+  CHECK(window.bench().speed() > 1.0);
+  CHECK(panel->rows() > 0);
 }
 
 TEST_CASE("A behaviour is written, compiled, loaded and given to the selected robot") {

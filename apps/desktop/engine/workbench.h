@@ -153,6 +153,7 @@ class Workbench : public QObject {
   void refused(const elsie::desktop::Problems& problems);
   void history_changed();
   void run_changed();
+  void settings_changed();                          // another speed, or a seed that is refused
   void went_on();                                   // the run continues, or makes a step
   void came_to(const elsie::desktop::Json& event);  // it has paused at the time it was to run to
   void snapshot(const elsie::snapshots::Snapshot& snapshot);

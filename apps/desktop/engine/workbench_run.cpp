@@ -84,7 +84,7 @@ void Workbench::reset(std::uint64_t seed) {
     }
     order({{"do", "reset"}, {"seed", seed}}, [this, seed](const Json& answer) {
       if (answer.contains("refused")) {
-        Q_EMIT run_changed();  // views show the previous seed again
+        Q_EMIT settings_changed();  // views show the previous seed again
         end_change(problems_of(answer));
         return;
       }
@@ -103,7 +103,7 @@ void Workbench::reset(std::uint64_t seed) {
 void Workbench::set_speed(double factor) {
   speed_ = factor;
   engine_.ask({{"do", "speed"}, {"factor", factor}});
-  Q_EMIT run_changed();
+  Q_EMIT settings_changed();
 }
 
 }  // namespace elsie::desktop
