@@ -216,6 +216,7 @@ StartPage::StartPage(const QString& worlds, QString elsie, QWidget* parent)
     auto* made = new QPushButton(icon(drawing), text);
     made->setObjectName(name);
     made->setMinimumHeight(fontMetrics().height() * 2);
+    made->setAutoDefault(true);  // Enter presses it, as in a dialog
     buttons->addWidget(made);
     return made;
   };
