@@ -157,7 +157,8 @@ def _names(what: str, given: Union[Named, Sequence[Named]]) -> list[tuple[str, O
         raise InputError(f"{what}={given!r}: expected a name, or a list of names")
     alone = isinstance(given, str) or (isinstance(given, tuple) and len(given) == 3 and not isinstance(given[1], (str, tuple)))
     names: list[tuple[str, Optional[float], Optional[float]]] = []
-    for each in ([given] if alone else given):
+    listed: Sequence[Any] = [given] if alone else given
+    for each in listed:
         if isinstance(each, str):
             names.append((each, None, None))
         elif isinstance(each, tuple) and len(each) == 3 and isinstance(each[0], str):

@@ -27,5 +27,5 @@ def plot(file: Union[str, "os.PathLike[str]"], curves: Mapping[str, ArrayLike], 
     for name, values in rows.items():
         if values.ndim != 1 or values.shape != across.shape:
             raise InputError(f"plot: the curve {name!r} has the shape {values.shape}; expected {(across.size,)}")
-    _elsie.save_chart(os.fspath(file), across.tolist(), [(name, values.tolist()) for name, values in rows.items()],
+    _elsie.save_chart(os.fspath(file), list(across), [(name, list(values)) for name, values in rows.items()],
                       [xlabel, ylabel, title])

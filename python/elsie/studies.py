@@ -74,8 +74,9 @@ def run(world: Union[World, File], seeds: Iterable[int] = range(1, 2), *,
 
 
 def _cells(edits: Mapping[str, Union[Value, Sequence[Value]]]) -> Iterator[dict[str, Value]]:
-    levels = [[value] if isinstance(value, (str, bool, int, float)) or not hasattr(value, "__iter__") else list(value)
-              for value in edits.values()]
+    levels: list[list[Any]] = [
+        [value] if isinstance(value, (str, bool, int, float)) or not hasattr(value, "__iter__") else list(value)
+        for value in edits.values()]
     for values in itertools.product(*levels):
         yield dict(zip(edits, values))
 

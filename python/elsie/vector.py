@@ -121,11 +121,10 @@ class VectorEnv(Base, _GymVectorEnv):
             seeds = [None if each is None else checked_seed(each) for each in seed]
             if len(seeds) != self.num_envs:
                 raise InputError(f"{len(seeds)} seeds were given; expected one for each of the {self.num_envs} worlds")
-        indices = np.flatnonzero(chosen).tolist()
-        given = [i for i in indices if seeds[i] is not None]
+        given = {i: each for i, each in enumerate(seeds) if chosen[i] and each is not None}
         if given:
-            worlds.begin(given, [seeds[i] for i in given])
-        others = [i for i in indices if seeds[i] is None]
+            worlds.begin(list(given), list(given.values()))
+        others = [i for i in range(self.num_envs) if chosen[i] and i not in given]
         if others:
             worlds.begin(others, [])
         observations = self._observations.copy() if self.copy or self._open.reward else self._observations
