@@ -1,6 +1,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
+#include <QContextMenuEvent>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -31,6 +32,15 @@ namespace elsie::desktop {
 namespace {
 
 QKeySequence key(const char* keys) { return QKeySequence(QString(keys)); }
+
+/// Does what the menu key does, which not all keyboards have and Qt does not do on X11.
+void open_context_menu() {
+  if (QWidget* const in = QApplication::focusWidget()) {
+    const QPoint at = in->inputMethodQuery(Qt::ImCursorRectangle).toRect().center();
+    QContextMenuEvent wish(QContextMenuEvent::Keyboard, at, in->mapToGlobal(at));
+    QApplication::sendEvent(in, &wish);
+  }
+}
 
 }  // namespace
 
@@ -77,6 +87,8 @@ void MainWindow::make_menus() {
   fill_help_menu(menuBar()->addMenu(tr("&Help")));
   command(nullptr, with_text_, "next_problem", tr("Next error"), key("F8"),
           [this] { problems_->next(); });
+  command(nullptr, nullptr, "context_menu", tr("Context menu"), key("Shift+F10"),
+          open_context_menu);
   fill_tool_bars();
   load_shortcuts(commands_);
 }

@@ -74,6 +74,20 @@ TEST_CASE("The menu key opens the menu of the row that has the keyboard in a tre
   CHECK(*is_picked);
 }
 
+TEST_CASE("Shift+F10 opens the menus that the menu key opens") {
+  Room window;
+  auto* tree = window.get<WorldTree>("world_tree");
+  click_row(tree, "robot[r1]");
+  auto is_open = pick_when_open("element_menu", "");
+  press_key(tree->tree(), Qt::Key_F10, Qt::ShiftModifier);
+  CHECK(*is_open);
+  QLineEdit* x = field(window, "x");
+  x->setFocus();
+  is_open = pick_when_open("qt_edit_menu", "");
+  press_key(x, Qt::Key_F10, Qt::ShiftModifier);
+  CHECK(wait_for([&] { return *is_open; }));
+}
+
 TEST_CASE("The menu of a list offers what may be added to it, and what may be pasted into it") {
   Room window;
   auto is_picked = pick_when_open("list_menu", "Add robot");

@@ -2561,6 +2561,10 @@ Zustands-Hash %2</translation>
         <translation>Der Lauf kann nicht geöffnet werden</translation>
     </message>
     <message>
+        <source>Context menu</source>
+        <translation>Kontextmenü</translation>
+    </message>
+    <message>
         <source>The run failed: %1</source>
         <translation>Der Lauf ist gescheitert: %1</translation>
     </message>
