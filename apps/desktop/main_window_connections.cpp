@@ -367,7 +367,7 @@ void MainWindow::say_that_the_engine_ended(const QString& report, bool was_stopp
        : workbench_.tree().is_null() && !workbench_.problems().empty()
            ? tr("Your world and its unsaved changes are here as a text, which is opened again "
                 "when you change it.")
-           : tr("Your world and its unsaved changes are here; the run starts again.")) +
+           : tr("Your world and its unsaved changes are here; the run stands at its start.")) +
       (not_made.isEmpty()
            ? QString()
            : ' ' + tr("This was not made, and may have ended it: %1.").arg(not_made.join(", "))));

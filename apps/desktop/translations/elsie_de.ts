@@ -2617,8 +2617,8 @@ Zustands-Hash %2</translation>
         <translation>Ihre Welt und die ungespeicherten Änderungen sind als Text hier, der wieder geöffnet wird, wenn Sie ihn ändern.</translation>
     </message>
     <message>
-        <source>Your world and its unsaved changes are here; the run starts again.</source>
-        <translation>Ihre Welt und die ungespeicherten Änderungen sind hier; der Lauf beginnt von vorn.</translation>
+        <source>Your world and its unsaved changes are here; the run stands at its start.</source>
+        <translation>Ihre Welt und die ungespeicherten Änderungen sind hier; der Lauf steht am Anfang.</translation>
     </message>
     <message>
         <source>This was not made, and may have ended it: %1.</source>
