@@ -28,6 +28,26 @@ QDialog* new_behavior(Window& window, const QString& name, int language) {
   return dialog;
 }
 
+/// Gives the robot r1 a new behaviour. Returns its source, which is open in the window.
+QString source_of_new(Window& window, const QString& name, int language) {
+  window.choose("robot[r1]");
+  Window::press(new_behavior(window, name, language), QDialogButtonBox::Ok);
+  REQUIRE(wait_for([&] { return window.bench().text().contains('<' + name + "/>"); }));
+  window.await_closed("new_behavior_dialog");
+  return window.get<CodeEditor>("source_text")->whole_text();
+}
+
+/// Saves this as the source whose tab is in front.
+void save_source(Window& window, const QString& source) {
+  QWidget* const tab = window.get<QTabWidget>("source_tabs")->currentWidget();
+  auto* text = tab->findChild<CodeEditor*>("source_text");
+  REQUIRE(text);
+  text->selectAll();
+  text->insertPlainText(source);
+  text->setFocus();
+  press_key(text, Qt::Key_S, Qt::ControlModifier);
+}
+
 /// What the dialog refuses, in its words.
 QString refused_in(QDialog* dialog) {
   auto* warning = dialog->findChild<QLabel*>("behavior_warning");
@@ -140,20 +160,9 @@ TEST_CASE("A behaviour in Python is loaded at once") {
 
 TEST_CASE("The errors of a source stay listed while other plugins are loaded") {
   Room window;
-  window.choose("robot[r1]");
-  Window::press(new_behavior(window, "steady", 0), QDialogButtonBox::Ok);
-  REQUIRE(wait_for([&] { return window.bench().text().contains("<steady/>"); }));
-  window.await_closed("new_behavior_dialog");
-  auto* text = window.get<CodeEditor>("source_text");
-  const QString right = text->whole_text();
-  const auto save = [&](const QString& source) {
-    text->selectAll();
-    text->insertPlainText(source);
-    text->setFocus();
-    press_key(text, Qt::Key_S, Qt::ControlModifier);
-  };
+  const QString right = source_of_new(window, "steady", 0);
   auto* list = window.get<QTreeWidget>("problems");
-  save("#include <no_such_header>\n" + right);
+  save_source(window, "#include <no_such_header>\n" + right);
   REQUIRE(wait_for([&] { return list->topLevelItemCount() == 1; }));
 
   Window::press(new_behavior(window, "still", 1), QDialogButtonBox::Ok);
@@ -161,24 +170,13 @@ TEST_CASE("The errors of a source stay listed while other plugins are loaded") {
   REQUIRE(list->topLevelItemCount() == 1);
   CHECK(list->topLevelItem(0)->toolTip(0).contains("no_such_header"));
   window.get<QTabWidget>("source_tabs")->setCurrentIndex(0);
-  save(right);
+  save_source(window, right);
   CHECK(wait_for([&] { return list->topLevelItemCount() == 0; }));
 }
 
 TEST_CASE("Of a script only the present error is listed, and another one is refused for its own") {
   Room window;
-  window.choose("robot[r1]");
-  Window::press(new_behavior(window, "calm", 1), QDialogButtonBox::Ok);
-  REQUIRE(wait_for([&] { return window.bench().text().contains("<calm/>"); }));
-  window.await_closed("new_behavior_dialog");
-  auto* text = window.get<CodeEditor>("source_text");
-  const QString right = text->whole_text();
-  const auto save = [&](const QString& source) {
-    text->selectAll();
-    text->insertPlainText(source);
-    text->setFocus();
-    press_key(text, Qt::Key_S, Qt::ControlModifier);
-  };
+  const QString right = source_of_new(window, "calm", 1);
   auto* list = window.get<QTreeWidget>("problems");
   const auto lists = [&](const char* error) {
     for (int i = 0; i < list->topLevelItemCount(); ++i) {
@@ -186,7 +184,7 @@ TEST_CASE("Of a script only the present error is listed, and another one is refu
     }
     return false;
   };
-  save("import no_such_one\n" + right);
+  save_source(window, "import no_such_one\n" + right);
   REQUIRE(wait_for([&] { return lists("no_such_one"); }));
 
   std::optional<Problems> odd;
@@ -200,11 +198,11 @@ TEST_CASE("Of a script only the present error is listed, and another one is refu
   Window::press(new_behavior(window, "still", 1), QDialogButtonBox::Ok);
   REQUIRE(wait_for([&] { return window.bench().text().contains("<still/>"); }));
   window.get<QTabWidget>("source_tabs")->setCurrentIndex(0);
-  save("import no_such_two\n" + right);
+  save_source(window, "import no_such_two\n" + right);
   REQUIRE(wait_for([&] { return lists("no_such_two"); }));
   CHECK_FALSE(lists("no_such_one"));
   CHECK(lists("odd.py"));
-  save(right);
+  save_source(window, right);
   CHECK(wait_for([&] { return !lists("no_such_two"); }));
 }
 
